@@ -1,0 +1,121 @@
+//! The words of the command line.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// A laboratory of classical mechanics.
+#[derive(Parser)]
+#[command(name = "precess", version, about, max_term_width = 100)]
+pub struct Command {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// What the program can do.
+#[derive(Subcommand)]
+pub enum Verb {
+    /// Lists what there is
+    List {
+        /// Only these
+        what: Option<What>,
+        /// As JSON, with everything the cards say
+        #[arg(long)]
+        json: bool,
+    },
+    /// Shows a system: equations, coordinates, parameters, invariants, source
+    Show {
+        /// System id
+        system: String,
+        /// As JSON
+        #[arg(long, conflicts_with = "latex")]
+        json: bool,
+        /// The equations in LaTeX
+        #[arg(long)]
+        latex: bool,
+    },
+    /// Runs a system, or a scenario file
+    Run(Run),
+    /// Runs several methods on the same start, side by side
+    Compare(Compare),
+}
+
+/// What `list` lists.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum What {
+    /// Mechanical systems
+    Systems,
+    /// Integration methods
+    Methods,
+    /// Scenarios that come with the program
+    Scenarios,
+}
+
+/// What is run, and for how long.
+#[derive(Args)]
+pub struct Subject {
+    /// System id, or a scenario file (*.toml; - for standard input)
+    #[arg(value_name = "SYSTEM|FILE.toml")]
+    pub subject: String,
+    /// Sets a parameter: l=0.5, masses='[10; 1]', theta='30 deg'
+    #[arg(short, long = "parameter", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub parameters: Vec<String>,
+    /// Sets an initial value: theta=49*pi/50
+    #[arg(short, long = "initial", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub initial: Vec<String>,
+    /// Step of the fixed-step methods
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub dt: Option<String>,
+    /// Relative tolerance of the adaptive methods
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    pub rtol: Option<String>,
+    /// Absolute tolerance of the adaptive methods
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub atol: Option<String>,
+    /// End time; a negative one runs backwards
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub until: Option<String>,
+    /// Time between samples (a thousandth of the run where absent)
+    #[arg(long, value_name = "DT", allow_hyphen_values = true)]
+    pub every: Option<String>,
+    /// Writes a CSV file (- for standard output) or an NPZ file
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Draws an SVG or PNG file
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// No summary, no progress
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// A run.
+#[derive(Args)]
+pub struct Run {
+    /// What is run.
+    #[command(flatten)]
+    pub subject: Subject,
+    /// Integration method
+    #[arg(long, value_name = "ID")]
+    pub method: Option<String>,
+    /// Sets an option of the method: alpha=1
+    #[arg(long = "option", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub options: Vec<String>,
+    /// Prints the SHA-256 of the result (time and state)
+    #[arg(long)]
+    pub hash: bool,
+    /// Writes the scenario with everything spelt out, so that it runs the same for ever
+    #[arg(long, value_name = "FILE.toml")]
+    pub save: Option<PathBuf>,
+}
+
+/// A comparison.
+#[derive(Args)]
+pub struct Compare {
+    /// What is run.
+    #[command(flatten)]
+    pub subject: Subject,
+    /// Method ids, separated by commas
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', required = true)]
+    pub methods: Vec<String>,
+}

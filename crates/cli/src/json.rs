@@ -1,0 +1,105 @@
+//! Cards as JSON: all that a card says, under the card's own names.
+
+use precess::system::{AnySystem, Default, Given, Observable, ObservableKind, Order, Quantity, Text, Values};
+use precess::{catalogue, equations, scalar::Notation, scenarios};
+use serde_json::{Value, json};
+
+fn text(text: &Text) -> Value {
+    json!({ "en": text.en, "fr": text.fr })
+}
+
+fn quantity(q: &Quantity) -> Value {
+    json!({ "name": q.name, "symbol": q.symbol, "unit": q.unit, "text": text(&q.text) })
+}
+
+/// A quantity with something more said of it.
+fn with(q: &Quantity, more: &Value) -> Value {
+    let mut value = quantity(q);
+    if let (Some(map), Some(more)) = (value.as_object_mut(), more.as_object()) {
+        map.extend(more.clone());
+    }
+    value
+}
+
+fn observable(o: &Observable) -> Value {
+    match &o.kind {
+        ObservableKind::Signal => with(&o.quantity, &json!({ "kind": "signal" })),
+        ObservableKind::Invariant { when_zero } => {
+            with(&o.quantity, &json!({ "kind": "invariant", "when_zero": when_zero }))
+        }
+    }
+}
+
+/// A system: its card and its equations.
+pub fn system(system: &dyn AnySystem) -> Value {
+    let card = system.card();
+    let layout = system.layout(&Values::defaults(&card), &Given::default());
+    let coordinates = layout.coordinates.iter().map(|c| match c.order {
+        Order::First => with(&c.quantity, &json!({ "order": 1, "start": c.start })),
+        Order::Second => with(&c.quantity, &json!({ "order": 2, "start": c.start, "start_dot": c.start_dot })),
+    });
+    let parameters = card.parameters.iter().map(|p| {
+        let range = p.quantity.range;
+        let bound = |x: f64| if x.is_finite() { json!(x) } else { Value::Null };
+        let more = match &p.default {
+            Default::Number(x) => {
+                json!({ "default": x, "low": bound(range.low), "high": bound(range.high), "open": range.open })
+            }
+            Default::List { fields, items } if fields.len() == 1 => json!({ "default": items }),
+            Default::List { fields, items } => {
+                json!({ "fields": fields, "default": items.chunks(fields.len()).collect::<Vec<_>>() })
+            }
+            Default::Choice(options) => json!({ "default": options[0], "choices": options }),
+        };
+        with(&p.quantity, &more)
+    });
+    let latex = equations(system, Notation::Latex);
+    json!({
+        "id": card.id,
+        "title": text(&card.title),
+        "about": text(&card.about),
+        "source": card.source,
+        "coordinates": coordinates.collect::<Vec<_>>(),
+        "state": layout.state().iter().map(|q| q.name.clone()).collect::<Vec<_>>(),
+        "parameters": parameters.collect::<Vec<_>>(),
+        "observables": layout.observables.iter().map(observable).collect::<Vec<_>>(),
+        "starts": card.starts.iter().map(quantity).collect::<Vec<_>>(),
+        "events": layout.events.iter().map(|e| json!({ "name": e.name, "text": text(&e.text) })).collect::<Vec<_>>(),
+        "equations": { "definitions": latex.definitions, "equations": latex.equations },
+        "defaults": { "method": card.defaults.method, "until": card.defaults.until, "dt": card.defaults.dt },
+    })
+}
+
+/// Every system.
+pub fn systems() -> Value {
+    catalogue::systems().iter().map(|s| system(*s)).collect()
+}
+
+/// Every method.
+pub fn methods() -> Value {
+    let method = |card: &precess::integrate::MethodCard| {
+        let options = card.options.iter().map(|o| {
+            json!({ "name": o.name, "default": o.default, "low": o.low, "high": o.high,
+                    "text": { "en": o.text.0, "fr": o.text.1 } })
+        });
+        json!({
+            "id": card.id,
+            "title": { "en": card.title.0, "fr": card.title.1 },
+            "about": { "en": card.about.0, "fr": card.about.1 },
+            "order": card.order,
+            "adaptive": card.kind == precess::integrate::Kind::Adaptive,
+            "separable_only": card.needs == precess::integrate::Needs::Separable,
+            "symplectic": card.symplectic,
+            "reversible": card.reversible,
+            "source": card.source,
+            "options": options.collect::<Vec<_>>(),
+        })
+    };
+    catalogue::methods().iter().map(|m| method(m.card())).collect()
+}
+
+/// Every scenario that comes with the program.
+pub fn all_scenarios() -> Value {
+    let entry = |(name, text): (&str, &str)| json!({ "file": name, "title": scenarios::title(text) });
+    scenarios::all().into_iter().map(entry).collect()
+}

@@ -1,0 +1,33 @@
+//! Precess in the terminal: a thin face over the `precess` crate.
+
+mod args;
+mod compare;
+mod draw;
+mod failure;
+mod json;
+mod list;
+mod output;
+mod progress;
+mod run;
+mod show;
+mod subject;
+mod table;
+
+use args::{Command, Verb};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    // Clap prints its own sentence (with the nearest word) and exits with 2 on a wrong command.
+    let command = Command::parse();
+    let outcome = match command.verb {
+        Verb::List { what, json } => list::list(what, json),
+        Verb::Show { system, json, latex } => show::show(&system, json, latex),
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Compare(arguments) => compare::compare(&arguments),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

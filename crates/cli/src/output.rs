@@ -1,0 +1,60 @@
+//! Files that appear whole or not at all: written beside, then renamed.
+
+use crate::failure::{Failure, reason};
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// A file that is being written beside the one it will replace.
+pub struct Output {
+    place: PathBuf,
+    beside: PathBuf,
+    file: Option<File>,
+}
+
+impl Output {
+    /// Opens a file beside `place`, before the work begins: an unwritable place is found out at once.
+    pub fn create(place: &Path) -> Result<Self, Failure> {
+        let wrong = |why: &str| Failure::Wrong(format!("cannot write '{}': {why}", place.display()));
+        let Some(name) = place.file_name() else { return Err(wrong("that is no file name")) };
+        if place.is_dir() {
+            return Err(wrong("that is a directory"));
+        }
+        if fs::metadata(place).is_ok_and(|m| m.permissions().readonly()) {
+            return Err(wrong("it is write-protected"));
+        }
+        let mut beside = name.to_os_string();
+        beside.push(format!(".{}.part", std::process::id()));
+        let beside = place.with_file_name(beside);
+        let file = File::create(&beside).map_err(|e| wrong(&reason(&e)))?;
+        Ok(Self { place: place.into(), beside, file: Some(file) })
+    }
+
+    /// Writes the file and puts it in its place.
+    pub fn finish(
+        mut self,
+        write: impl FnOnce(&mut BufWriter<&File>) -> std::io::Result<()>,
+    ) -> Result<(), Failure> {
+        let Some(file) = self.file.take() else { return Ok(()) };
+        let mut buffer = BufWriter::new(&file);
+        let written = write(&mut buffer).and_then(|()| buffer.flush());
+        drop(buffer);
+        let place = format!("'{}'", self.place.display());
+        written
+            .and_then(|()| file.sync_all())
+            .and_then(|()| fs::rename(&self.beside, &self.place))
+            .map_err(|e| Failure::of_writing(&place, &e))
+    }
+}
+
+impl Drop for Output {
+    fn drop(&mut self) {
+        // After a rename there is nothing beside any more; otherwise nothing half-written stays.
+        let _ = fs::remove_file(&self.beside);
+    }
+}
+
+/// The suffix of a file name, in lower case.
+pub fn suffix(path: &Path) -> String {
+    path.extension().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default()
+}

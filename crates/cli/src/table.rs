@@ -1,0 +1,48 @@
+//! Trajectories as CSV and NPZ.
+
+use npyz::WriterBuilder;
+use precess::value::shortest;
+use precess::{Outcome, system::Trajectory};
+use std::io::{self, Seek, Write};
+
+/// CSV: the names, then a row a sample, each number the shortest text that reads back to the same bits.
+pub fn csv(out: &mut impl Write, trajectory: &Trajectory) -> io::Result<()> {
+    let names: Vec<&str> = trajectory.columns.iter().map(|c| c.name.as_str()).collect();
+    writeln!(out, "{}", names.join(","))?;
+    for row in trajectory.rows() {
+        for (k, x) in row.iter().enumerate() {
+            let comma = if k == 0 { "" } else { "," };
+            write!(out, "{comma}{}", shortest(*x))?;
+        }
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// NPZ: one array a column, and the texts `units` (in the order of the columns), `scenario` and `version`.
+pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
+    let mut archive = npyz::npz::NpzWriter::new(out);
+    let trajectory = &outcome.trajectory;
+    for (k, column) in trajectory.columns.iter().enumerate() {
+        let mut array = archive
+            .array(&column.name, Default::default())?
+            .default_dtype()
+            .shape(&[trajectory.len() as u64])
+            .begin_nd()?;
+        array.extend(trajectory.rows().map(|row| row[k]))?;
+        array.finish()?;
+    }
+    let units: Vec<&str> = trajectory.columns.iter().map(|c| c.unit.as_str()).collect();
+    for (name, text) in [
+        ("units", units.join("\n")),
+        ("scenario", outcome.provenance.scenario.clone()),
+        ("version", outcome.provenance.version.clone()),
+    ] {
+        let bytes = text.as_bytes();
+        let mut array =
+            archive.array(name, Default::default())?.default_dtype().shape(&[bytes.len() as u64]).begin_nd()?;
+        array.extend(bytes.iter().copied())?;
+        array.finish()?;
+    }
+    Ok(())
+}

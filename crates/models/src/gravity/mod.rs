@@ -1,0 +1,1 @@
+pub mod n_body;

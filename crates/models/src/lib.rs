@@ -1,0 +1,22 @@
+//! The mechanical systems of Precess, one file each, and the list of them.
+
+mod gravity;
+mod oscillators;
+mod pendulums;
+mod tops;
+
+use precess_system::AnySystem;
+
+/// Every system, in the order in which a catalogue shows them.
+pub const ALL: &[&dyn AnySystem] = &[
+    &oscillators::harmonic_oscillator::HarmonicOscillator,
+    &oscillators::planar_oscillator::PlanarOscillator,
+    &pendulums::pendulum::Pendulum,
+    &pendulums::double_pendulum::DoublePendulum,
+    &pendulums::magnetic_pendulum::MagneticPendulum,
+    &pendulums::noria::Noria,
+    &gravity::n_body::NBody,
+    &tops::gyroscope::Gyroscope,
+    &tops::tippe_top_rolling::TippeTopRolling,
+    &tops::free_body::FreeBody,
+];

@@ -1,0 +1,2 @@
+pub mod harmonic_oscillator;
+pub mod planar_oscillator;

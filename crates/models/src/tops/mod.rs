@@ -1,0 +1,3 @@
+pub mod free_body;
+pub mod gyroscope;
+pub mod tippe_top_rolling;

@@ -1,0 +1,40 @@
+//! How far the invariants of a run have drifted.
+
+use precess_scalar::Scalar;
+use precess_system::{ColumnKind, Trajectory};
+
+/// The drift of one invariant over a trajectory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drift {
+    /// Name of the invariant.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// Its value at the start.
+    pub start: f64,
+    /// The largest departure from it; NaN where the invariant became NaN.
+    pub largest: f64,
+}
+
+impl Drift {
+    /// The largest departure relative to the start; `None` where the start is zero.
+    pub fn relative(&self) -> Option<f64> {
+        (self.start != 0.0).then(|| self.largest / self.start.abs())
+    }
+}
+
+/// The drift of every invariant, in the order of the columns.
+pub fn drifts(trajectory: &Trajectory) -> Vec<Drift> {
+    let columns = trajectory.columns.iter().enumerate();
+    let invariants = columns.filter(|(_, c)| c.kind == ColumnKind::Invariant);
+    let drift = |(k, column): (usize, &precess_system::Column)| {
+        let start = trajectory.rows().next().map_or(f64::NAN, |row| row[k]);
+        // `larger` keeps its second argument where they do not compare: a NaN met on the way stays.
+        let largest = trajectory.rows().fold(0.0, |largest: f64, row| {
+            let departure = (row[k] - start).abs();
+            if largest.is_nan() { largest } else { largest.larger(departure) }
+        });
+        Drift { name: column.name.clone(), unit: column.unit.clone(), start, largest }
+    };
+    invariants.map(drift).collect()
+}

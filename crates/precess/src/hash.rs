@@ -1,0 +1,30 @@
+//! "The same bits" as one number: the SHA-256 of a result.
+
+use precess_system::Trajectory;
+use sha2::{Digest, Sha256};
+use std::fmt::Write;
+
+fn hex(bytes: impl AsRef<[u8]>) -> String {
+    bytes.as_ref().iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// SHA-256 over the columns `t` and state as little-endian f64, row by row, every NaN the canonical one.
+pub fn hash(trajectory: &Trajectory) -> String {
+    let mut sha = Sha256::new();
+    let width = trajectory.state_columns();
+    for row in trajectory.rows() {
+        for &x in &row[..width] {
+            let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };
+            sha.update(x.to_le_bytes());
+        }
+    }
+    hex(sha.finalize())
+}
+
+/// SHA-256 of a text.
+pub(crate) fn hash_text(text: &str) -> String {
+    hex(Sha256::digest(text.as_bytes()))
+}

@@ -1,0 +1,36 @@
+//! Where systems, methods and users meet: what every face of Precess depends on.
+//!
+//! A [`Scenario`] (TOML, or built in code) is held against the cards and becomes a [`Plan`]; running it gives
+//! an [`Outcome`] with a trajectory, its provenance and the drift of its invariants; [`picture`] turns that
+//! into a [`figure::Figure`].
+
+mod canonical;
+pub mod catalogue;
+mod compare;
+mod describe;
+mod drift;
+mod error;
+pub mod figure;
+mod hash;
+mod picture;
+mod plan;
+mod resolve;
+mod run;
+mod scenario;
+pub mod scenarios;
+pub mod value;
+
+pub use canonical::scenario_toml;
+pub use compare::{Comparison, Contender, compare};
+pub use describe::{Equations, equations, record};
+pub use drift::{Drift, drifts};
+pub use error::{Error, unknown};
+pub use hash::hash;
+pub use picture::picture;
+pub use plan::{PanelPlan, Plan, Step, Watch};
+pub use run::{Outcome, Provenance, run};
+pub use scenario::{EventSpec, FigureSpec, Scenario};
+
+pub use precess_integrate as integrate;
+pub use precess_scalar as scalar;
+pub use precess_system as system;

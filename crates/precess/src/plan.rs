@@ -1,0 +1,249 @@
+//! A plan: a scenario held against the cards, complete and ready to run.
+
+use crate::error::{Error, input, unknown};
+use crate::scenario::Scenario;
+use crate::value::Value;
+use crate::{catalogue, resolve};
+use precess_integrate::{AnyMethod, Kind, Needs, Options};
+use precess_system::{AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values};
+
+/// How the method steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Step {
+    /// Steps of this length.
+    Fixed(f64),
+    /// Steps chosen by the error, relative and absolute tolerance.
+    Adaptive {
+        /// Relative tolerance.
+        rtol: f64,
+        /// Absolute tolerance.
+        atol: f64,
+    },
+}
+
+/// A watched crossing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watch {
+    /// Name in the report.
+    pub name: String,
+    /// Column (time, state, observables) that is watched.
+    pub column: usize,
+    /// The value it passes through.
+    pub value: f64,
+    /// Which way.
+    pub direction: Direction,
+    /// The run ends here.
+    pub stop: bool,
+}
+
+/// A panel of the picture: columns against a column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PanelPlan {
+    /// Heading.
+    pub title: String,
+    /// Horizontal column.
+    pub x: usize,
+    /// Vertical columns.
+    pub y: Vec<usize>,
+    /// Both axes to the same scale.
+    pub equal_scales: bool,
+}
+
+/// A run that is fully determined.
+#[derive(Clone)]
+pub struct Plan {
+    /// Heading.
+    pub title: String,
+    /// The system.
+    pub system: &'static dyn AnySystem,
+    /// Its card.
+    pub card: Card,
+    /// Its quantities with these parameters.
+    pub layout: Layout,
+    /// What its equations depend on with these parameters.
+    pub structure: Structure,
+    /// Its parameters.
+    pub values: Values<f64>,
+    /// The full state at the start.
+    pub start: Vec<f64>,
+    /// The method.
+    pub method: &'static dyn AnyMethod,
+    /// Its options.
+    pub options: Options,
+    /// Its steps.
+    pub step: Step,
+    /// End time; negative runs backwards.
+    pub until: f64,
+    /// Time between samples, positive.
+    pub every: f64,
+    /// Watched crossings.
+    pub watches: Vec<Watch>,
+    /// Panels of the picture, as the scenario gives them.
+    pub panels: Vec<PanelPlan>,
+}
+
+/// More samples than this do not fit a table that anybody reads.
+const MOST_SAMPLES: f64 = 1e8;
+/// More steps than this take years.
+const MOST_STEPS: f64 = 1e14;
+
+impl Plan {
+    /// Holds a scenario against the cards.
+    ///
+    /// # Errors
+    /// One sentence: what is wrong, where, the nearest right thing.
+    pub fn new(scenario: &Scenario) -> Result<Self, Error> {
+        let system = catalogue::system(&scenario.system)?;
+        let card = system.card();
+        let values = resolve::parameters(&card, &scenario.parameters)?;
+        let (layout, start) = resolve::start(system, &card, &values, &scenario.start)?;
+        let structure = precess_system::structure(system, &values, &layout);
+        let method = catalogue::method(scenario.method.as_deref().unwrap_or(card.defaults.method))?;
+        let mut plan = Self {
+            title: if scenario.title.is_empty() { card.title.en.clone() } else { scenario.title.clone() },
+            until: card.defaults.until,
+            every: f64::NAN,
+            step: Step::Fixed(card.defaults.dt),
+            options: Options::default(),
+            watches: vec![],
+            panels: vec![],
+            system,
+            card,
+            layout,
+            structure,
+            values,
+            start,
+            method,
+        };
+        plan.check_method()?;
+        plan.read_run(&scenario.run)?;
+        plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
+        plan.panels = scenario.figures.iter().map(|f| resolve::panel(&plan, f)).collect::<Result<_, _>>()?;
+        Ok(plan)
+    }
+
+    /// All columns of the result in order: time, state, observables.
+    pub fn columns(&self) -> Vec<Quantity> {
+        let time = precess_system::quantity("t", "s", "time", "temps");
+        let observables = self.layout.observables.iter().map(|o| o.quantity.clone());
+        std::iter::once(time).chain(self.layout.state()).chain(observables).collect()
+    }
+
+    /// Whether the `k`-th observable ought to stay constant with these parameters.
+    pub fn is_invariant(&self, k: usize) -> bool {
+        match &self.layout.observables[k].kind {
+            ObservableKind::Signal => false,
+            ObservableKind::Invariant { when_zero } => {
+                when_zero.iter().all(|name| self.values.number(&self.card, name) == Some(0.0))
+            }
+        }
+    }
+
+    /// The starts as the user may name them back.
+    pub fn given(&self) -> Given {
+        let names = self.layout.state().into_iter().map(|q| q.name);
+        Given(names.zip(self.start.iter().copied()).collect())
+    }
+
+    fn check_method(&self) -> Result<(), Error> {
+        let card = self.method.card();
+        let id = self.card.id;
+        if card.needs == Needs::Any || self.structure.separable() {
+            return Ok(());
+        }
+        let why = if self.structure.hybrid {
+            format!("{id} has events")
+        } else if self.structure.second_order {
+            format!("in {id} a velocity enters the acceleration (friction set to zero may help)")
+        } else {
+            format!("{id} has coordinates of first order")
+        };
+        let fits = catalogue::methods().iter().map(|m| m.card());
+        let fits: Vec<&str> = fits.filter(|m| m.needs == Needs::Any).map(|m| m.id).collect();
+        input(format!(
+            "method '{}' needs accelerations that depend on positions alone, and {why}: these fit: {}",
+            card.id,
+            fits.join(", ")
+        ))
+    }
+
+    fn read_run(&mut self, run: &[(String, Value)]) -> Result<(), Error> {
+        let method = self.method.card();
+        let (mut dt, mut rtol, mut atol, mut every) = (None, None, None, None);
+        for (name, value) in run {
+            let number = |unit: &str| value.in_unit(unit).map_err(|e| e.at(name));
+            match name.as_str() {
+                "dt" => dt = Some(number("s")?),
+                "every" => every = Some(number("s")?),
+                "until" => self.until = number("s")?,
+                "rtol" => rtol = Some(number("")?),
+                "atol" => atol = Some(number("")?),
+                option => {
+                    let Some(known) = method.options.iter().find(|o| o.name == option) else {
+                        let fixed = ["method", "dt", "rtol", "atol", "until", "every"];
+                        let known = fixed.into_iter().chain(method.options.iter().map(|o| o.name));
+                        return Err(unknown("setting", option, known).at(&format!("run by {}", method.id)));
+                    };
+                    let x = number("")?;
+                    if !(known.low <= x && x <= known.high) {
+                        return input(format!("{option} lies between {} and {}, not at {x}", known.low, known.high));
+                    }
+                    self.options.set(option, x);
+                }
+            }
+        }
+        self.step = match method.kind {
+            Kind::Fixed if rtol.is_some() || atol.is_some() => {
+                return input(format!("method '{}' takes steps of fixed length: give dt, not rtol or atol", method.id));
+            }
+            Kind::Fixed => Step::Fixed(positive("dt", dt.unwrap_or(self.card.defaults.dt))?),
+            Kind::Adaptive if dt.is_some() => {
+                return input(format!("method '{}' chooses its own steps: give rtol and atol, not dt", method.id));
+            }
+            Kind::Adaptive => tolerances(rtol.unwrap_or(1e-10), atol.unwrap_or(1e-10))?,
+        };
+        self.check_times(every)
+    }
+
+    fn check_times(&mut self, every: Option<f64>) -> Result<(), Error> {
+        let until = self.until;
+        if !until.is_finite() {
+            return input(format!("until is a time, not {until}"));
+        }
+        self.every = match every {
+            Some(every) => positive("every", every)?,
+            None if until == 0.0 => 1.0,
+            None => until.abs() / 1000.0,
+        };
+        if every.is_some() && self.every > until.abs() && until != 0.0 {
+            return input(format!("every ({} s) is longer than the run ({} s)", self.every, until.abs()));
+        }
+        let samples = until.abs() / self.every;
+        if !(samples <= MOST_SAMPLES) {
+            return input(format!("{samples:.1e} samples are too many: make 'every' longer (at most 1e8 samples)"));
+        }
+        if let Step::Fixed(dt) = self.step {
+            let steps = until.abs() / dt;
+            if !(steps <= MOST_STEPS) {
+                return input(format!("{steps:.1e} steps of {dt} s would take years: make dt longer"));
+            }
+        }
+        Ok(())
+    }
+}
+
+fn positive(name: &str, x: f64) -> Result<f64, Error> {
+    if x.is_finite() && x > 0.0 { Ok(x) } else { input(format!("{name} must be above zero, not {x}")) }
+}
+
+fn tolerances(rtol: f64, atol: f64) -> Result<Step, Error> {
+    for (name, x) in [("rtol", rtol), ("atol", atol)] {
+        if !(x.is_finite() && (0.0..=1.0).contains(&x)) {
+            return input(format!("{name} lies between 0 and 1, not at {x}"));
+        }
+    }
+    if rtol < 1e-15 && atol == 0.0 || rtol == 0.0 && atol == 0.0 {
+        return input("rtol below 1e-15 needs an atol above zero: no f64 is more accurate than that");
+    }
+    Ok(Step::Adaptive { rtol, atol })
+}

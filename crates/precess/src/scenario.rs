@@ -1,0 +1,249 @@
+//! A scenario: what to run, as a person writes it. `docs/scenarios.md` describes the file.
+
+use crate::error::{Error, input, quoted, unknown};
+use crate::value::{self, Value};
+use std::borrow::Cow;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// What to run. Names and units are held against the card by [`Plan`](crate::Plan).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scenario {
+    /// Heading; empty for the system's own.
+    pub title: String,
+    /// System id.
+    pub system: String,
+    /// Parameters that differ from the card's defaults.
+    pub parameters: Vec<(String, Value)>,
+    /// Starts that differ from the card's defaults.
+    pub start: Vec<(String, Value)>,
+    /// Method id; the card's where absent.
+    pub method: Option<String>,
+    /// `dt`, `rtol`, `atol`, `until`, `every` and the method's own options, as given.
+    pub run: Vec<(String, Value)>,
+    /// Watched crossings.
+    pub events: Vec<EventSpec>,
+    /// Panels of the picture; the card's views where there are none.
+    pub figures: Vec<FigureSpec>,
+}
+
+/// A watched crossing: `when = "theta = 0"`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct EventSpec {
+    /// Name in the report; `when` where absent.
+    pub name: Option<String>,
+    /// Quantity and the value it passes through.
+    pub when: String,
+    /// `rising`, `falling` or `either` (the default).
+    pub direction: Option<String>,
+    /// The run ends here.
+    pub stop: bool,
+}
+
+/// A panel: quantities against one another.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FigureSpec {
+    /// Heading.
+    pub title: String,
+    /// Horizontal quantity; `t` where absent.
+    pub x: Option<String>,
+    /// Vertical quantities.
+    pub y: Vec<String>,
+    /// Both axes to the same scale.
+    pub equal_scales: bool,
+}
+
+/// The newest format that is understood.
+const FORMAT: &str = "1";
+/// A larger file is no scenario.
+const LARGEST: usize = 16 << 20;
+
+impl Scenario {
+    /// A system with the card's defaults.
+    pub fn of(system: &str) -> Self {
+        Self { system: system.into(), ..Self::default() }
+    }
+
+    /// Reads a scenario file.
+    ///
+    /// # Errors
+    /// One sentence with the line and the nearest known name.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        if text.len() > LARGEST {
+            return input("the file is larger than 16 MiB: that is no scenario");
+        }
+        let root = DeTable::parse(text).map_err(|e| {
+            let line = e.span().map_or(1, |s| line_of(text, s.start));
+            let why = e.message().lines().next().unwrap_or("not understood");
+            Error::Input(format!("line {line}: {why}"))
+        })?;
+        let mut scenario = Self::default();
+        let mut version = None;
+        for (key, value) in entries(root.get_ref()) {
+            let at = |e: Error| e.at(&format!("line {}", line_of(text, key.span().start)));
+            match key.get_ref().as_ref() {
+                "precess" => version = Some(integer(value).map_err(at)?),
+                "title" => scenario.title = word(value).map_err(at)?,
+                "system" => scenario.read_system(text, as_table(value).map_err(at)?)?,
+                "start" => scenario.start = values(text, as_table(value).map_err(at)?)?,
+                "run" => scenario.read_run(text, as_table(value).map_err(at)?)?,
+                "event" => scenario.events = tables(value, EventSpec::read).map_err(at)?,
+                "figure" => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
+                other => {
+                    let known = ["precess", "title", "system", "start", "run", "event", "figure"];
+                    return Err(at(unknown("key", other, known)));
+                }
+            }
+        }
+        match version.as_deref() {
+            Some(FORMAT) => {}
+            None => return input("the line 'precess = 1' is missing: it says which format this is"),
+            Some(other) => {
+                return input(format!("format {} is not known here, only {FORMAT}: it needs another Precess", quoted(other)));
+            }
+        }
+        if scenario.system.is_empty() {
+            return input("the system is missing: [system] with id = \"pendulum\", for instance");
+        }
+        Ok(scenario)
+    }
+
+    fn read_system(&mut self, text: &str, table: &DeTable) -> Result<(), Error> {
+        for (key, value) in entries(table) {
+            let at = |e: Error| e.at(&format!("line {}", line_of(text, key.span().start)));
+            match key.get_ref().as_ref() {
+                "id" => self.system = word(value).map_err(at)?,
+                "parameters" => self.parameters = values(text, as_table(value).map_err(at)?)?,
+                other => return Err(at(unknown("key", other, ["id", "parameters"]).at("[system]"))),
+            }
+        }
+        Ok(())
+    }
+
+    fn read_run(&mut self, text: &str, table: &DeTable) -> Result<(), Error> {
+        for (key, value) in entries(table) {
+            let at = |e: Error| e.at(&format!("line {}", line_of(text, key.span().start)));
+            match key.get_ref().as_ref() {
+                "method" => self.method = Some(word(value).map_err(at)?),
+                other => self.run.push((other.into(), read(value).map_err(at)?)),
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets a value among named ones, in place of an earlier one.
+    pub fn set(list: &mut Vec<(String, Value)>, name: &str, value: Value) {
+        match list.iter_mut().find(|(n, _)| n == name) {
+            Some(entry) => entry.1 = value,
+            None => list.push((name.into(), value)),
+        }
+    }
+}
+
+impl EventSpec {
+    fn read(table: &DeTable) -> Result<Self, Error> {
+        let mut event = Self::default();
+        for (key, value) in entries(table) {
+            match key.get_ref().as_ref() {
+                "name" => event.name = Some(word(value)?),
+                "when" => event.when = word(value)?,
+                "direction" => event.direction = Some(word(value)?),
+                "stop" => event.stop = flag(value)?,
+                other => {
+                    return Err(unknown("key", other, ["name", "when", "direction", "stop"]).at("[[event]]"));
+                }
+            }
+        }
+        if event.when.is_empty() {
+            return input("[[event]] needs a crossing to watch, such as when = \"theta = 0\"");
+        }
+        Ok(event)
+    }
+}
+
+impl FigureSpec {
+    fn read(table: &DeTable) -> Result<Self, Error> {
+        let mut figure = Self::default();
+        for (key, value) in entries(table) {
+            match key.get_ref().as_ref() {
+                "title" => figure.title = word(value)?,
+                "x" => figure.x = Some(word(value)?),
+                "y" => {
+                    figure.y = match value {
+                        DeValue::Array(names) => names.iter().map(|n| word(n.get_ref())).collect::<Result<_, _>>()?,
+                        one => vec![word(one)?],
+                    }
+                }
+                "equal_scales" => figure.equal_scales = flag(value)?,
+                other => {
+                    return Err(unknown("key", other, ["title", "x", "y", "equal_scales"]).at("[[figure]]"));
+                }
+            }
+        }
+        if figure.y.is_empty() {
+            return input("[[figure]] needs quantities to draw, such as y = [\"theta\", \"energy\"]");
+        }
+        Ok(figure)
+    }
+}
+
+/// The entries of a table in the order of the file, so that the first mistake is the one reported.
+fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<Cow<'i, str>>, &'a DeValue<'i>)> {
+    let mut entries: Vec<_> = table.iter().map(|(key, value)| (key, value.get_ref())).collect();
+    entries.sort_by_key(|(key, _)| key.span().start);
+    entries
+}
+
+fn line_of(text: &str, offset: usize) -> usize {
+    text.as_bytes().iter().take(offset).filter(|b| **b == b'\n').count() + 1
+}
+fn kind<T>(wanted: &str, value: &DeValue) -> Result<T, Error> {
+    input(format!("{wanted} is needed here, not {}", value.type_str()))
+}
+fn as_table<'a, 'i>(value: &'a DeValue<'i>) -> Result<&'a DeTable<'i>, Error> {
+    value.as_table().map_or_else(|| kind("a table", value), Ok)
+}
+fn tables<T>(value: &DeValue, read: impl Fn(&DeTable) -> Result<T, Error>) -> Result<Vec<T>, Error> {
+    let Some(items) = value.as_array() else { return kind("a list of tables ([[...]])", value) };
+    items.iter().map(|item| read(as_table(item.get_ref())?)).collect()
+}
+fn word(value: &DeValue) -> Result<String, Error> {
+    value.as_str().map_or_else(|| kind("a text in quotes", value), |s| Ok(s.to_string()))
+}
+fn flag(value: &DeValue) -> Result<bool, Error> {
+    value.as_bool().map_or_else(|| kind("true or false", value), Ok)
+}
+fn integer(value: &DeValue) -> Result<String, Error> {
+    value.as_integer().map_or_else(|| kind("a whole number", value), |n| Ok(n.as_str().to_string()))
+}
+fn values(text: &str, table: &DeTable) -> Result<Vec<(String, Value)>, Error> {
+    let read = entries(table).into_iter().map(|(key, value)| {
+        let at = |e: Error| e.at(&format!("line {}: {}", line_of(text, key.span().start), key.get_ref()));
+        Ok((key.get_ref().to_string(), read(value).map_err(at)?))
+    });
+    read.collect()
+}
+
+/// A value: a number, a text such as "30 deg", a list.
+fn read(value: &DeValue) -> Result<Value, Error> {
+    match value {
+        DeValue::Integer(n) => number(n.as_str(), n.radix()),
+        DeValue::Float(x) => number(x.as_str(), 10),
+        DeValue::String(text) => value::parse(text),
+        DeValue::Boolean(flag) => Ok(Value::Word(flag.to_string())),
+        DeValue::Array(items) => items.iter().map(|i| read(i.get_ref())).collect::<Result<_, _>>().map(Value::List),
+        other => kind("a number, a text or a list", other),
+    }
+}
+fn number(digits: &str, radix: u32) -> Result<Value, Error> {
+    let digits = digits.replace('_', "");
+    let parsed = if radix == 10 {
+        digits.parse::<f64>().ok()
+    } else {
+        i64::from_str_radix(&digits, radix).ok().map(|n| n as f64)
+    };
+    match parsed {
+        Some(x) if x.is_finite() => Ok(Value::number(x)),
+        _ => input(format!("{} is not a finite number", quoted(&digits))),
+    }
+}

@@ -1,0 +1,23 @@
+//! The numbers of Precess.
+//!
+//! An equation of mechanics is written once, generic over [`Scalar`], and then runs as a plain `f64`, as a
+//! block of lanes ([`Batch`]), with twice the digits ([`DoubleDouble`]), as a derivative ([`Dual`]), as a
+//! recorded expression ([`Traced`]) and on units of measure ([`Unit`]).
+
+mod batch;
+mod dependence;
+mod double_double;
+mod dual;
+pub mod elementary;
+mod real;
+mod scalar;
+mod traced;
+mod unit;
+
+pub use batch::Batch;
+pub use dependence::Dependence;
+pub use double_double::DoubleDouble;
+pub use dual::Dual;
+pub use scalar::Scalar;
+pub use traced::{Notation, Printed, Tape, Traced};
+pub use unit::{Dimension, Unit};

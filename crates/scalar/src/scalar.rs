@@ -1,0 +1,100 @@
+//! What an equation of mechanics may do with a number.
+
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// A number that an equation computes with.
+///
+/// There is no `PartialOrd` and no conversion to `f64`: a block of lanes and a trace cannot branch.
+/// Comparisons give a mask, and [`select`](Scalar::select) chooses between two values that have both
+/// been computed. Literals enter by `S::from(0.5)` or as the right-hand side of an operator (`x * 0.5`).
+///
+/// Every function gives the same bits for every number built on `f64`; see
+/// [`elementary`](crate::elementary) for their error bounds and their values at infinities and NaN.
+pub trait Scalar:
+    Copy
+    + From<f64>
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + 'static
+{
+    /// The outcome of a comparison: one truth value per lane.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
+
+    /// `self < other`; false where either is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// `self <= other`; false where either is NaN.
+    fn le(self, other: Self) -> Self::Mask;
+    /// `a` where the mask holds, `b` elsewhere.
+    fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+
+    /// Correctly rounded square root.
+    fn sqrt(self) -> Self;
+    /// Sine and cosine together (they share the argument reduction).
+    fn sin_cos(self) -> (Self, Self);
+    /// Tangent.
+    fn tan(self) -> Self;
+    /// Angle of the point (`x`, `self`), in (-pi, pi].
+    fn atan2(self, x: Self) -> Self;
+    /// Arc sine.
+    fn asin(self) -> Self;
+    /// Arc cosine.
+    fn acos(self) -> Self;
+    /// Exponential.
+    fn exp(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// Hyperbolic sine.
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// Integer power, by repeated squaring (a reciprocal at the end where `n` is negative).
+    fn powi(self, n: i32) -> Self;
+    /// Real power; NaN for a negative base and a broken exponent.
+    fn powf(self, exponent: Self) -> Self;
+    /// Real cube root.
+    fn cbrt(self) -> Self;
+    /// `sqrt(self^2 + other^2)` without overflow on the way.
+    fn hypot(self, other: Self) -> Self;
+    /// Absolute value.
+    fn abs(self) -> Self;
+
+    /// Sine.
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine.
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// `self > other`; false where either is NaN.
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+    /// -1, 0 or 1; zero (not plus or minus one) at both zeros, NaN at NaN.
+    fn sign(self) -> Self {
+        let zero = Self::from(0.0);
+        let negative = Self::select(self.lt(zero), Self::from(-1.0), self);
+        Self::select(zero.lt(self), Self::from(1.0), negative)
+    }
+    /// The larger of two; `other` where they do not compare.
+    fn larger(self, other: Self) -> Self {
+        Self::select(other.lt(self), self, other)
+    }
+    /// The smaller of two; `other` where they do not compare.
+    fn smaller(self, other: Self) -> Self {
+        Self::select(self.lt(other), self, other)
+    }
+    /// `self * self`.
+    fn squared(self) -> Self {
+        self * self
+    }
+}

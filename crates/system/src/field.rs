@@ -1,0 +1,140 @@
+//! The seam where a system's type is forgotten and the number's is kept.
+
+use crate::{Card, Given, Layout, Shape, State, System, Values};
+use precess_scalar::{Batch, Dependence, DoubleDouble, Dual, Scalar, Traced, Unit};
+
+/// A system with its parameters, as a first-order field over one kind of number.
+///
+/// `y` is the full state of [`Shape`]: coordinates, velocities, modes.
+pub trait Field<S: Scalar>: Send + Sync {
+    /// The sizes of a state.
+    fn shape(&self) -> &Shape;
+    /// The rate of every number of the state; a mode rests.
+    fn rate(&self, t: S, y: &[S], dy: &mut [S]);
+    /// The observables.
+    fn observe(&self, t: S, y: &[S], out: &mut [S]);
+    /// The Lagrangian, where there is one.
+    fn lagrangian(&self, t: S, y: &[S]) -> Option<S>;
+    /// The event functions.
+    fn crossings(&self, t: S, y: &[S], out: &mut [S]);
+    /// Applies an event to the state.
+    fn jump(&self, event: usize, t: S, y: &mut [S]);
+}
+
+/// A system and the parameters it runs with.
+struct Bound<M, S> {
+    system: M,
+    values: Values<S>,
+    shape: Shape,
+}
+
+impl<M, S: Scalar> Bound<M, S> {
+    #[inline(always)]
+    fn state<'a>(&'a self, t: S, y: &'a [S]) -> State<'a, S> {
+        let (coordinates, rest) = y.split_at(self.shape.coordinates);
+        let (velocities, modes) = rest.split_at(self.shape.second.len());
+        State { t, coordinates, velocities, modes, values: &self.values }
+    }
+}
+
+impl<M: System, S: Scalar + Send + Sync> Field<S> for Bound<M, S>
+where
+    Values<S>: Send + Sync,
+{
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn rate(&self, t: S, y: &[S], dy: &mut [S]) {
+        let shape = &self.shape;
+        self.system.equations(&self.state(t, y), &mut dy[..shape.coordinates]);
+        // The equations gave accelerations in the coordinates' places: each moves to its velocity's place,
+        // and the velocity takes its own.
+        for (k, &i) in shape.second.iter().enumerate() {
+            dy[shape.coordinates + k] = dy[i];
+            dy[i] = y[shape.coordinates + k];
+        }
+        dy[shape.state()..].fill(S::from(0.0));
+    }
+
+    fn observe(&self, t: S, y: &[S], out: &mut [S]) {
+        self.system.observe(&self.state(t, y), out);
+    }
+
+    fn lagrangian(&self, t: S, y: &[S]) -> Option<S> {
+        self.system.lagrangian(&self.state(t, y))
+    }
+
+    fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
+        self.system.crossings(&self.state(t, y), out);
+    }
+
+    fn jump(&self, event: usize, t: S, y: &mut [S]) {
+        let before = y.to_vec();
+        self.system.jump(event, &self.state(t, &before), y);
+    }
+}
+
+/// Makes a field over one kind of number.
+pub trait Bind<S: Scalar> {
+    /// The system with these parameters; `layout` is the one that [`AnySystem::layout`] gave for them.
+    fn bind(&self, values: Values<S>, layout: &Layout) -> Box<dyn Field<S>>;
+}
+
+impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
+    fn bind(&self, values: Values<S>, layout: &Layout) -> Box<dyn Field<S>> {
+        Box::new(Bound { system: self.clone(), values, shape: layout.shape() })
+    }
+}
+
+/// A system whose type is forgotten: it makes fields over every kind of number.
+pub trait AnySystem:
+    Send
+    + Sync
+    + Bind<f64>
+    + Bind<Batch<4>>
+    + Bind<Batch<8>>
+    + Bind<Dual<f64>>
+    + Bind<Dual<Dual<f64>>>
+    + Bind<DoubleDouble>
+    + Bind<Dependence>
+    + Bind<Traced>
+    + Bind<Unit>
+{
+    /// See [`System::card`].
+    fn card(&self) -> Card;
+    /// See [`System::layout`].
+    fn layout(&self, values: &Values<f64>, given: &Given) -> Layout;
+    /// The full state at the start: the card's, then what is given by name, then the modes.
+    ///
+    /// # Errors
+    /// One sentence, where the starts or the parameters make no sense together.
+    fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String>;
+}
+
+impl<M: System> AnySystem for M {
+    fn card(&self) -> Card {
+        System::card(self)
+    }
+
+    fn layout(&self, values: &Values<f64>, given: &Given) -> Layout {
+        System::layout(self, values, given)
+    }
+
+    fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String> {
+        let mut y = layout.start();
+        let size = layout.shape().state();
+        for (place, quantity) in y.iter_mut().zip(layout.state()) {
+            if let Some(x) = given.get(&quantity.name) {
+                *place = x;
+            }
+        }
+        System::start(self, given, values, &mut y[..size])?;
+        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        let (state, modes) = y.split_at_mut(size);
+        let at_start = bound.state(0.0, state);
+        self.check(&at_start)?;
+        self.start_modes(&at_start, modes);
+        Ok(y)
+    }
+}

@@ -1,0 +1,163 @@
+//! Which numbers make a state, in which order.
+
+use crate::quantity::{Quantity, dotted, quantity};
+use crate::{Card, Event, Observable};
+
+/// How often a coordinate is differentiated in its equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Order {
+    /// The equation gives its rate.
+    First,
+    /// The equation gives its acceleration; its velocity is part of the state.
+    Second,
+}
+
+/// One coordinate of a system.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Coordinate {
+    /// Name, unit, meaning.
+    pub quantity: Quantity,
+    /// First or second order.
+    pub order: Order,
+    /// Value at the start.
+    pub start: f64,
+    /// Velocity at the start (second order only).
+    pub start_dot: f64,
+}
+
+/// A second-order coordinate that starts at rest at zero.
+pub fn coordinate(name: &str, unit: &str, en: &str, fr: &str) -> Coordinate {
+    Coordinate { quantity: quantity(name, unit, en, fr), order: Order::Second, start: 0.0, start_dot: 0.0 }
+}
+
+impl Coordinate {
+    /// The equation gives the rate, not the acceleration.
+    #[must_use]
+    pub fn first_order(mut self) -> Self {
+        self.order = Order::First;
+        self
+    }
+    /// Where it starts.
+    #[must_use]
+    pub fn start(mut self, value: f64) -> Self {
+        self.start = value;
+        self
+    }
+    /// How fast it starts.
+    #[must_use]
+    pub fn start_dot(mut self, value: f64) -> Self {
+        self.start_dot = value;
+        self
+    }
+    /// A LaTeX symbol other than the one the name suggests.
+    #[must_use]
+    pub fn symbol(mut self, symbol: &str) -> Self {
+        self.quantity.symbol = symbol.into();
+        self
+    }
+    /// Its velocity as a quantity: `theta_dot`, `rad/s`.
+    pub fn velocity(&self) -> Quantity {
+        let unit = match self.quantity.unit.as_str() {
+            "" => String::new(),
+            unit => format!("{unit}/s"),
+        };
+        let mut velocity = quantity(
+            &format!("{}_dot", self.quantity.name),
+            &unit,
+            &format!("rate of: {}", self.quantity.text.en),
+            &format!("vitesse de : {}", self.quantity.text.fr),
+        );
+        velocity.symbol = dotted(&self.quantity.symbol, 1);
+        velocity
+    }
+    /// The left-hand side of its equation, in LaTeX.
+    pub fn highest_symbol(&self) -> String {
+        dotted(&self.quantity.symbol, if self.order == Order::Second { 2 } else { 1 })
+    }
+}
+
+/// Sizes of a state: what a method needs to know of a system.
+///
+/// A state is the coordinates, then the velocities of the second-order ones, then the modes of a hybrid
+/// system (which rest between events).
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Number of coordinates.
+    pub coordinates: usize,
+    /// For each velocity, the coordinate it belongs to.
+    pub second: Vec<usize>,
+    /// Number of modes.
+    pub modes: usize,
+    /// Number of observables.
+    pub observables: usize,
+    /// Number of event functions.
+    pub events: usize,
+}
+
+impl Shape {
+    /// Numbers that are reported as the state: coordinates and velocities.
+    pub fn state(&self) -> usize {
+        self.coordinates + self.second.len()
+    }
+    /// Numbers that are integrated: the state and the modes.
+    pub fn full(&self) -> usize {
+        self.state() + self.modes
+    }
+    /// Pairs (index of a second-order coordinate, index of its velocity) in the full state.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.second.iter().enumerate().map(|(k, &i)| (i, self.coordinates + k))
+    }
+    /// Whether every coordinate has a velocity.
+    pub fn is_second_order(&self) -> bool {
+        self.second.len() == self.coordinates
+    }
+}
+
+/// The quantities of a system once the lengths of its lists are known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// Coordinates in order.
+    pub coordinates: Vec<Coordinate>,
+    /// Observables in order.
+    pub observables: Vec<Observable>,
+    /// Events in order.
+    pub events: Vec<Event>,
+    /// Number of modes.
+    pub modes: usize,
+}
+
+impl Layout {
+    /// The layout of a system whose card says everything.
+    pub fn of(card: &Card) -> Self {
+        Self {
+            coordinates: card.coordinates.clone(),
+            observables: card.observables.clone(),
+            events: card.events.clone(),
+            modes: card.modes,
+        }
+    }
+    /// The sizes alone.
+    pub fn shape(&self) -> Shape {
+        let second = self.coordinates.iter().enumerate().filter(|(_, c)| c.order == Order::Second);
+        Shape {
+            coordinates: self.coordinates.len(),
+            second: second.map(|(i, _)| i).collect(),
+            modes: self.modes,
+            observables: self.observables.len(),
+            events: self.events.len(),
+        }
+    }
+    /// The quantities of the state in order: coordinates, then velocities.
+    pub fn state(&self) -> Vec<Quantity> {
+        let second = self.coordinates.iter().filter(|c| c.order == Order::Second);
+        let velocities = second.map(Coordinate::velocity);
+        self.coordinates.iter().map(|c| c.quantity.clone()).chain(velocities).collect()
+    }
+    /// The state at the start, as the card has it (modes are zero until the system sets them).
+    pub fn start(&self) -> Vec<f64> {
+        let second = self.coordinates.iter().filter(|c| c.order == Order::Second);
+        let velocities = second.map(|c| c.start_dot);
+        let modes = std::iter::repeat_n(0.0, self.modes);
+        self.coordinates.iter().map(|c| c.start).chain(velocities).chain(modes).collect()
+    }
+}

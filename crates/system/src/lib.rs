@@ -1,0 +1,28 @@
+//! The contract of Precess: what a mechanical system is, and nothing about how it is integrated.
+//!
+//! A system is a [`Card`] (names, units, defaults, texts, source) and its [`System`] equations, generic over
+//! the number. [`Field`] is the one seam where the system's type is forgotten and the number's is kept.
+
+mod card;
+mod field;
+mod layout;
+mod quantity;
+mod state;
+mod structure;
+mod system;
+mod text;
+mod trajectory;
+mod units;
+mod values;
+
+pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
+pub use field::{AnySystem, Bind, Field};
+pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
+pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
+pub use state::State;
+pub use structure::{Structure, structure};
+pub use system::{Given, System};
+pub use text::Text;
+pub use trajectory::{Column, ColumnKind, Occurrence, Trajectory};
+pub use units::{UnitError, parse_unit};
+pub use values::{List, Values};
