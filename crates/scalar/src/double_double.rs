@@ -2,7 +2,7 @@
 //!
 //! Sums, products, quotients and square roots are right to `2^-102` of themselves while their size stays
 //! between `2^-900` and `2^996`: below, the second half drowns in the subnormal numbers; above, the
-//! splitting of a factor overflows and the result is NaN.
+//! splitting of a factor overflows and the result is NaN. A sum that vanishes is plus zero.
 
 mod constants;
 mod functions;

@@ -78,7 +78,12 @@ fn lanes_agree<const W: usize>() {
         for lane in 0..W {
             for (i, plain) in everything(x[lane], y[lane]).into_iter().enumerate() {
                 let value = blocks[i].0[lane];
-                assert!(same(value, plain), "entry {i} at {:e}, {:e}: {value:e}, {plain:e}", x[lane], y[lane]);
+                assert!(
+                    same(value, plain),
+                    "entry {i} at {:e}, {:e}: {value:e}, {plain:e}",
+                    x[lane],
+                    y[lane]
+                );
             }
         }
     }

@@ -208,7 +208,8 @@ fn hyperbolic_functions() {
 
 #[test]
 fn powers() {
-    let cubes: [Argument; 3] = [Random::finite, |r| r.between(-10.0, 10.0), |r| f64::from_bits(r.bits() >> 12)];
+    let cubes: [Argument; 3] =
+        [Random::finite, |r| r.between(-10.0, 10.0), |r| f64::from_bits(r.bits() >> 12)];
     check("cbrt", 1.0, elementary::cbrt, Scalar::cbrt, core_math::cbrt, &cubes);
     let pairs: [Arguments; 5] = [
         |r| (r.finite(), r.finite()),

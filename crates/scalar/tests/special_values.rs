@@ -42,7 +42,11 @@ fn of_one_argument() {
     table("ln", ln, &[(0.0, -INF), (-0.0, -INF), (1.0, 0.0), (INF, INF), (-1.0, nan), (-INF, nan)]);
     let (right, straight) = (std::f64::consts::FRAC_PI_2, std::f64::consts::PI);
     table("asin", asin, &[(1.0, right), (-1.0, -right), (1.0000000000000002, nan), (INF, nan), (-INF, nan)]);
-    table("acos", acos, &[(1.0, 0.0), (-1.0, straight), (0.0, right), (-1.0000000000000002, nan), (INF, nan)]);
+    table(
+        "acos",
+        acos,
+        &[(1.0, 0.0), (-1.0, straight), (0.0, right), (-1.0000000000000002, nan), (INF, nan)],
+    );
     table("sinh", sinh, &[(INF, INF), (-INF, -INF), (711.0, INF)]);
     table("cosh", cosh, &[(0.0, 1.0), (-0.0, 1.0), (INF, INF), (-INF, INF), (-711.0, INF)]);
     table("tanh", tanh, &[(INF, 1.0), (-INF, -1.0), (30.0, 1.0)]);

@@ -7,7 +7,7 @@ const fn pair(hi: f64, lo: f64) -> DoubleDouble {
 }
 
 /// pi / 2.
-pub const FRAC_PI_2: DoubleDouble = pair(1.5707963267948966, 6.123233995736766e-17);
+pub const FRAC_PI_2: DoubleDouble = pair(std::f64::consts::FRAC_PI_2, 6.123233995736766e-17);
 
 /// ln 2 as two parts of 41 bits, whose products with an exponent are exact, and the rest.
 pub const LN2_PARTS: [f64; 2] = [0.693147180559663, 2.8235290563014906e-13];

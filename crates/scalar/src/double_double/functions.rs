@@ -27,7 +27,7 @@ fn times_ln2(n: f64) -> [Dd; 3] {
 
 /// `2^n` for `n` in -1022..=1023.
 fn power_of_two(n: i64) -> f64 {
-    f64::from_bits(((n + 1023) as u64) << 52)
+    f64::from_bits((n + 1023).cast_unsigned() << 52)
 }
 
 /// The integer nearest to a number below `2^51`.
@@ -37,8 +37,9 @@ fn nearest(x: f64) -> f64 {
 
 /// The power of two (as an exponent) that brings a positive double near 1.
 fn binary_exponent(x: f64) -> i64 {
-    let (bits, shift) = if x < f64::MIN_POSITIVE { ((x * 18014398509481984.0).to_bits(), 54) } else { (x.to_bits(), 0) };
-    ((bits >> 52) & 0x7ff) as i64 - 1023 - shift
+    let (bits, shift) =
+        if x < f64::MIN_POSITIVE { ((x * 18014398509481984.0).to_bits(), 54) } else { (x.to_bits(), 0) };
+    ((bits >> 52) & 0x7ff).cast_signed() - 1023 - shift
 }
 
 impl DoubleDouble {
@@ -60,7 +61,7 @@ impl DoubleDouble {
         let ((q1, first), (q2, second)) = (part(self.hi), part(self.lo));
         let sum = first + second;
         let whole = nearest(sum.hi);
-        (q1.wrapping_add(q2).wrapping_add(whole as i64 as u64), sum - whole)
+        (q1.wrapping_add(q2).wrapping_add((whole as i64).cast_unsigned()), sum - whole)
     }
     /// `e^x - 1` of a small argument (below one in size).
     fn exp_m1(self) -> Self {
@@ -189,7 +190,7 @@ impl Scalar for DoubleDouble {
     }
     fn powf(self, exponent: Self) -> Self {
         let plain = elementary::powf(self.hi, exponent.hi);
-        if plain.is_nan() || plain == 0.0 || plain.is_infinite() || exponent.hi == 0.0 || self.hi == 1.0 && self.lo == 0.0 {
+        if !plain.is_finite() || plain == 0.0 || exponent.hi == 0.0 || !exponent.hi.is_finite() {
             return Self::from(plain);
         }
         let size = (exponent * self.abs().ln()).exp();
@@ -209,7 +210,7 @@ impl Scalar for DoubleDouble {
     fn hypot(self, other: Self) -> Self {
         let long = if self.hi.abs() > other.hi.abs() { self.hi.abs() } else { other.hi.abs() };
         let plain = elementary::hypot(self.hi, other.hi);
-        if plain.is_nan() || long == 0.0 || long == f64::INFINITY {
+        if !plain.is_finite() || long == 0.0 {
             return Self::from(plain);
         }
         let n = binary_exponent(long);

@@ -3,8 +3,8 @@
 use super::exact::{fast_two_sum, quotient, square_root, two_prod, two_sum};
 use super::polynomial::pairs;
 
-/// pi/4 in two parts; the first has 50 bits, so that small multiples are exact.
-const FRAC_PI_4: [f64; 2] = [0.7853981633974483, 3.061616997868383e-17];
+/// pi/4 in two parts; the first ends in three zero bits, so that small multiples are exact.
+const FRAC_PI_4: [f64; 2] = [std::f64::consts::FRAC_PI_4, 3.061616997868383e-17];
 
 /// `(atan t / t - 1) / t^2` in `t^2`, error below `2^-58` of the angle on `|t| <= tan pi/8`.
 const ATAN: [[f64; 2]; 6] = [

@@ -31,7 +31,8 @@ fn decompose(x: f64) -> (f64, f64) {
     let bits = x.to_bits();
     let biased = bits.wrapping_add(ONE - SQRT_HALF) >> 52;
     // An integer under the exponent of 2^52 is a number.
-    let n = f64::from_bits(biased | 0x4330000000000000) - if subnormal { 4503599627371573.0 } else { 4503599627371519.0 };
+    let n = f64::from_bits(biased | 0x4330000000000000)
+        - if subnormal { 4503599627371573.0 } else { 4503599627371519.0 };
     (n, f64::from_bits(bits.wrapping_sub(biased << 52).wrapping_add(ONE)) - 1.0)
 }
 

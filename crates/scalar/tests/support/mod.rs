@@ -38,7 +38,11 @@ impl Random {
 /// The distance of neighbouring doubles at this size.
 pub fn ulp(x: f64) -> f64 {
     let exponent = (x.to_bits() >> 52) & 0x7ff;
-    if exponent > 52 { f64::from_bits((exponent - 52) << 52) } else { f64::from_bits(1 << (exponent.max(1) - 1)) }
+    if exponent > 52 {
+        f64::from_bits((exponent - 52) << 52)
+    } else {
+        f64::from_bits(1 << (exponent.max(1) - 1))
+    }
 }
 
 /// Distance of `computed` from `exact`, in units of the last place of the exact value.
@@ -47,7 +51,9 @@ pub fn error(computed: f64, exact: DoubleDouble) -> f64 {
         return 0.0;
     }
     // Just below a power of two the unit is half as large.
-    let below = exact.hi().to_bits() & ((1 << 52) - 1) == 0 && (exact.lo() < 0.0) == (exact.hi() > 0.0) && exact.lo() != 0.0;
+    let below = exact.hi().to_bits() & ((1 << 52) - 1) == 0
+        && (exact.lo() < 0.0) == (exact.hi() > 0.0)
+        && exact.lo() != 0.0;
     let unit = ulp(exact.hi()) * if below && ulp(exact.hi()) > 1e-323 { 0.5 } else { 1.0 };
     (((computed - exact.hi()) - exact.lo()) / unit).abs()
 }
