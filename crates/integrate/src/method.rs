@@ -1,0 +1,185 @@
+//! What a method is: its card, and a stepper for every number.
+
+use crate::Dense;
+use precess_scalar::{Batch, DoubleDouble, Dual, Scalar};
+use precess_system::{Field, Shape};
+use std::fmt;
+
+/// How the length of a step is chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// By the user.
+    Fixed,
+    /// By the estimated error.
+    Adaptive,
+}
+
+/// What a method needs of a system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// Nothing.
+    Any,
+    /// Accelerations that depend on positions (and time) alone.
+    Separable,
+}
+
+/// A number that changes a method.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OptionCard {
+    /// Name.
+    pub name: &'static str,
+    /// Value where nobody sets it.
+    pub default: f64,
+    /// Smallest value.
+    pub low: f64,
+    /// Largest value.
+    pub high: f64,
+    /// Meaning, in English and French.
+    pub text: (&'static str, &'static str),
+}
+
+/// All that is known of a method but its formula.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MethodCard {
+    /// ASCII identifier, the same in every face.
+    pub id: &'static str,
+    /// Title, in English and French.
+    pub title: (&'static str, &'static str),
+    /// What it is good for, in English and French.
+    pub about: (&'static str, &'static str),
+    /// Order of convergence.
+    pub order: u32,
+    /// Fixed or adaptive steps.
+    pub kind: Kind,
+    /// What it needs of a system.
+    pub needs: Needs,
+    /// Symplectic on separable Hamiltonian systems.
+    pub symplectic: bool,
+    /// A step back undoes a step.
+    pub reversible: bool,
+    /// Book or paper.
+    pub source: &'static str,
+    /// Its options.
+    pub options: &'static [OptionCard],
+}
+
+/// The values of the options of all methods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Share of the acceleration in the position step of `euler_taylor`.
+    pub alpha: f64,
+    /// Where the loop of `newmark` ends.
+    pub epsilon: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { alpha: 0.5, epsilon: 1e-12 }
+    }
+}
+
+impl Options {
+    /// Sets an option by name; an unknown name sets nothing.
+    pub fn set(&mut self, name: &str, value: f64) {
+        match name {
+            "alpha" => self.alpha = value,
+            "epsilon" => self.epsilon = value,
+            _ => {}
+        }
+    }
+    /// An option by name; NaN where there is none.
+    pub fn get(&self, name: &str) -> f64 {
+        match name {
+            "alpha" => self.alpha,
+            "epsilon" => self.epsilon,
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// A step that could not be taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NoConvergence {
+    /// Iterations after which the loop gave up.
+    pub iterations: u32,
+}
+
+impl fmt::Display for NoConvergence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the loop of the implicit step did not converge in {} iterations", self.iterations)
+    }
+}
+impl std::error::Error for NoConvergence {}
+
+/// Takes steps over one kind of number. A step may differ from lane to lane.
+pub trait Stepper<S: Scalar>: Send {
+    /// One step of length `h` from (`t`, `y`) to `out`, all of the full state of [`Shape`].
+    ///
+    /// # Errors
+    /// Where an implicit step does not converge.
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence>;
+
+    /// The estimated error of the last step, as a root mean square over components weighted by `weights`
+    /// (one over the tolerated error; zero for components left out). Zero for methods without an estimate.
+    fn error(&mut self, _h: S, _weights: &[S]) -> S {
+        S::from(0.0)
+    }
+
+    /// The state inside the last step, from (`t`, `y`) to `end`.
+    fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
+        let mut rates = [vec![S::from(0.0); y.len()], vec![S::from(0.0); y.len()]];
+        field.rate(t, y, &mut rates[0]);
+        field.rate(t + h, end, &mut rates[1]);
+        Dense::hermite(t, h, y, end, &rates[0], &rates[1])
+    }
+
+    /// The last step is accepted: the next one starts where it ended.
+    fn accept(&mut self) {}
+
+    /// The next step starts anywhere.
+    fn restart(&mut self) {}
+
+    /// Evaluations of the field so far.
+    fn evaluations(&self) -> u64;
+}
+
+/// An integration method, written once for every number.
+pub trait Method: Sync + 'static {
+    /// What is known of it.
+    fn card(&self) -> &'static MethodCard;
+    /// A stepper for states of this shape.
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>>;
+}
+
+/// Makes steppers over one kind of number.
+pub trait Steps<S: Scalar> {
+    /// See [`Method::stepper`].
+    fn stepper(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>>;
+}
+
+impl<M: Method, S: Scalar + Send> Steps<S> for M {
+    fn stepper(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
+        Method::stepper(self, shape, options)
+    }
+}
+
+/// A method whose type is forgotten.
+pub trait AnyMethod:
+    Sync + Steps<f64> + Steps<DoubleDouble> + Steps<Dual<f64>> + Steps<Batch<4>> + Steps<Batch<8>>
+{
+    /// See [`Method::card`].
+    fn card(&self) -> &'static MethodCard;
+}
+
+impl<M: Method> AnyMethod for M {
+    fn card(&self) -> &'static MethodCard {
+        Method::card(self)
+    }
+}

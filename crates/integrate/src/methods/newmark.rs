@@ -1,0 +1,103 @@
+//! Newmark's method with linear acceleration (beta = 1/6, gamma = 1/2), solved by T's loop.
+//!
+//!     v1 = v0 + h/2 (a1 + a0)      x1 = x0 + h v0 + h^2/3 (a1/2 + a0)
+//!
+//! (T 5.3; N. M. Newmark, J. Eng. Mech. Div. ASCE 85, 67, 1959.) Of order 2, symmetric in time, not symplectic.
+//! The loop is T's fixed point. T stops it when the *position* rests; the velocity may then still move, so here
+//! both must rest, relative to the size of the state. On an oscillator the loop diverges for
+//! `omega h > sqrt(6)`. A first-order coordinate follows the velocity's formula, the trapezoid.
+
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper};
+use precess_scalar::Scalar;
+use precess_system::{Field, Shape};
+
+/// See the module.
+pub struct Newmark;
+
+static CARD: MethodCard = MethodCard {
+    id: "newmark",
+    title: ("Newmark", "Newmark"),
+    about: (
+        "Implicit and symmetric in time: its energy error stays bounded. A loop solves each step.",
+        "Implicite et symétrique dans le temps : son erreur d'énergie reste bornée. Une boucle résout chaque pas.",
+    ),
+    order: 2,
+    kind: Kind::Fixed,
+    needs: Needs::Any,
+    symplectic: false,
+    reversible: true,
+    source: "T 5.3; N. M. Newmark, J. Eng. Mech. Div. ASCE 85, 67 (1959)",
+    options: &[OptionCard {
+        name: "epsilon",
+        default: 1e-12,
+        low: 1e-15,
+        high: 1.0,
+        text: ("where the loop ends, relative to the state", "fin de la boucle, relative à l'état"),
+    }],
+};
+
+/// A fixed point that converges at all is there long before.
+const MOST_ITERATIONS: u32 = 200;
+
+impl Method for Newmark {
+    fn card(&self) -> &'static MethodCard {
+        &CARD
+    }
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
+        let zeros = vec![S::from(0.0); shape.full()];
+        Box::new(Steps {
+            pairs: shape.pairs().collect(),
+            start: zeros.clone(),
+            end: zeros.clone(),
+            next: zeros,
+            epsilon: options.epsilon,
+            evaluations: 0,
+        })
+    }
+}
+
+struct Steps<S> {
+    pairs: Vec<(usize, usize)>,
+    /// Rates at the start and at the end of the step.
+    start: Vec<S>,
+    end: Vec<S>,
+    /// The next iterate.
+    next: Vec<S>,
+    epsilon: f64,
+    evaluations: u64,
+}
+
+impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+        field.rate(t, y, &mut self.start);
+        self.evaluations += 1;
+        out.copy_from_slice(y);
+        // A lane that rests is frozen, so that its bits do not depend on its neighbours.
+        let mut moving = S::from(0.0).le(S::from(0.0));
+        for _ in 0..MOST_ITERATIONS {
+            field.rate(t + h, out, &mut self.end);
+            self.evaluations += 1;
+            for i in 0..y.len() {
+                self.next[i] = y[i] + h * 0.5 * (self.end[i] + self.start[i]);
+            }
+            for &(x, v) in &self.pairs {
+                let acceleration = self.end[v] * 0.5 + self.start[v];
+                self.next[x] = y[x] + h * y[v] + h * h / 3.0 * acceleration;
+            }
+            let (mut change, mut size) = (S::from(0.0), S::from(1.0));
+            for (old, new) in out.iter_mut().zip(&self.next) {
+                change = change + (*new - *old).squared();
+                size = size + new.squared();
+                *old = S::select(moving, *new, *old);
+            }
+            moving = moving & !(change.sqrt().le(size.sqrt() * self.epsilon));
+            if S::all(!moving) {
+                return Ok(());
+            }
+        }
+        Err(NoConvergence { iterations: MOST_ITERATIONS })
+    }
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}
