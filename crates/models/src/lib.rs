@@ -3,7 +3,9 @@
 mod gravity;
 mod oscillators;
 mod pendulums;
+mod rotation;
 mod tops;
+mod vector;
 
 use precess_system::AnySystem;
 

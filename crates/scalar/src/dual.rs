@@ -102,6 +102,9 @@ impl<S: Scalar> Scalar for Dual<S> {
     fn select(mask: S::Mask, a: Self, b: Self) -> Self {
         Self::new(S::select(mask, a.value, b.value), S::select(mask, a.slope, b.slope))
     }
+    fn all(mask: S::Mask) -> bool {
+        S::all(mask)
+    }
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         Self::new(root, self.slope / (root * 2.0))

@@ -34,6 +34,11 @@ pub trait Scalar:
     /// `a` where the mask holds, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
 
+    /// Whether the mask holds in every lane: the end of an iteration. A number that cannot branch says no.
+    fn all(_mask: Self::Mask) -> bool {
+        false
+    }
+
     /// Correctly rounded square root.
     fn sqrt(self) -> Self;
     /// Sine and cosine together (they share the argument reduction).

@@ -88,8 +88,8 @@ const ANGLES: [Argument; 6] = [
     Random::finite,
     |r| r.between(-0.8, 0.8),
     |r| r.between(-10.0, 10.0),
-    |r| r.between(-6e5, 6e5),
-    |r| around((1 + r.bits() % 400_000) as f64 * FRAC_PI_2, r),
+    |r| r.between(-3e5, 3e5),
+    |r| around((1 + r.bits() % 200_000) as f64 * FRAC_PI_2, r),
     |r| around((1 + r.bits() % (1 << 50)) as f64 * FRAC_PI_2, r),
 ];
 
@@ -110,6 +110,10 @@ fn nearest_to_multiples() {
         91.106186954104,
         182.212373908208,
         364.424747816416,
+        46066.74387591393,
+        92133.48775182787,
+        138200.2316277418,
+        321307.9594422229,
         14461176.67027838,
         3.576149729694266e39,
         6381956970095103.0 * f64::from_bits((1023 + 797) << 52),
@@ -117,8 +121,8 @@ fn nearest_to_multiples() {
         FRAC_PI_2,
         2.0 * FRAC_PI_2,
         1e22,
-        524288.0,
-        524287.9999999999,
+        262144.0,
+        262143.99999999997,
     ];
     for x in nearest {
         for x in [x, -x] {

@@ -1,6 +1,6 @@
 //! Which numbers make a state, in which order.
 
-use crate::quantity::{Quantity, dotted, quantity};
+use crate::quantity::{Quantity, Range, dotted, quantity};
 use crate::{Card, Event, Observable};
 
 /// How often a coordinate is differentiated in its equation.
@@ -47,6 +47,12 @@ impl Coordinate {
     #[must_use]
     pub fn start_dot(mut self, value: f64) -> Self {
         self.start_dot = value;
+        self
+    }
+    /// Only values of zero and above make sense (a mass of water).
+    #[must_use]
+    pub fn not_negative(mut self) -> Self {
+        self.quantity.range = Range { low: 0.0, high: f64::INFINITY, open: false };
         self
     }
     /// A LaTeX symbol other than the one the name suggests.

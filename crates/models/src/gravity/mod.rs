@@ -1,1 +1,2 @@
 pub mod n_body;
+mod n_body_card;

@@ -2,26 +2,26 @@
 //!
 //! Nothing but `+ - * /`, square roots, comparisons and operations on the bits of a number enters them, each
 //! rounded once by IEEE 754; no fused multiply-add, no mathematics of the platform. They have no branches
-//! (but for [`sin_cos`] and [`tan`] beyond `2^19`), so that a loop over lanes becomes vector instructions.
+//! (but for [`sin_cos`] and [`tan`] beyond `2^18`), so that a loop over lanes becomes vector instructions.
 //!
 //! Errors are in units of the last place of the exact result. "Found" is the worst of some millions of
 //! arguments of all exponents, dense where a function is hard; tests hold every function to its bound.
 //!
 //! | function    | bound | found | at infinity            | elsewhere                                  |
 //! |-------------|-------|-------|------------------------|--------------------------------------------|
-//! | [`sin_cos`] | 1     | @SC@  | NaN                    | `sin(-0) = -0`; any size of angle          |
-//! | [`tan`]     | 2     | @TAN@  | NaN                    | `tan(-0) = -0`; any size of angle          |
-//! | [`exp`]     | 1     | @EXP@  | inf, 0                 | gradual underflow                          |
-//! | [`ln`]      | 1     | @LN@  | inf                    | `ln(+-0) = -inf`, NaN below zero           |
-//! | [`atan2`]   | 2     | @AT@  | corners: odd pi/4      | by the signs of zeros: `atan2(-0, -1) = -pi` |
-//! | [`asin`]    | 2     | @AS@  | NaN                    | NaN beyond 1                               |
-//! | [`acos`]    | 2     | @AC@  | NaN                    | NaN beyond 1; `acos(1) = 0`                |
-//! | [`sinh`]    | 2     | @SH@  | +-inf                  | `sinh(-0) = -0`                            |
-//! | [`cosh`]    | 2     | @CH@  | inf                    |                                            |
-//! | [`tanh`]    | 2     | @TH@  | +-1                    | `tanh(-0) = -0`                            |
-//! | [`cbrt`]    | 1     | @CB@  | +-inf                  | `cbrt(-0) = -0`                            |
-//! | [`hypot`]   | 1     | @HY@  | inf, even beside NaN   |                                            |
-//! | [`powf`]    | 2     | @PW@  | C99, F.9.4.4           | 1 for `x^0` and `1^y`, even at NaN         |
+//! | [`sin_cos`] | 1     | 0.85  | NaN                    | `sin(-0) = -0`; any size of angle          |
+//! | [`tan`]     | 2     | 1.22  | NaN                    | `tan(-0) = -0`; any size of angle          |
+//! | [`exp`]     | 1     | 0.78  | inf, 0                 | gradual underflow                          |
+//! | [`ln`]      | 1     | 0.89  | inf                    | `ln(+-0) = -inf`, NaN below zero           |
+//! | [`atan2`]   | 2     | 0.68  | corners: odd pi/4      | by the signs of zeros: `atan2(-0, -1) = -pi` |
+//! | [`asin`]    | 2     | 0.67  | NaN                    | NaN beyond 1                               |
+//! | [`acos`]    | 2     | 0.68  | NaN                    | NaN beyond 1; `acos(1) = 0`                |
+//! | [`sinh`]    | 2     | 0.63  | +-inf                  | `sinh(-0) = -0`                            |
+//! | [`cosh`]    | 2     | 0.63  | inf                    |                                            |
+//! | [`tanh`]    | 2     | 0.62  | +-1                    | `tanh(-0) = -0`                            |
+//! | [`cbrt`]    | 1     | 0.67  | +-inf                  | `cbrt(-0) = -0`                            |
+//! | [`hypot`]   | 1     | 0.51  | inf, even beside NaN   |                                            |
+//! | [`powf`]    | 2     | 0.63  | C99, F.9.4.4           | 1 for `x^0` and `1^y`, even at NaN         |
 //! | [`powi`]    | n     |       | as products            | relative error at most `n 2^-53`           |
 //!
 //! Results at zeros, infinities and NaN are those of C99, Annex F. A NaN has no defined sign or payload.

@@ -61,7 +61,7 @@ pub fn error(computed: f64, exact: DoubleDouble) -> f64 {
 /// How many doubles lie from one to the other; two NaN are the same.
 pub fn steps(a: f64, b: f64) -> u64 {
     let ordinal = |x: f64| {
-        let bits = x.to_bits() as i64;
+        let bits = x.to_bits().cast_signed();
         if bits < 0 { i64::MIN - bits } else { bits }
     };
     if a.is_nan() && b.is_nan() { 0 } else { ordinal(a).abs_diff(ordinal(b)) }

@@ -1,7 +1,13 @@
 //! Values of the functions at double-double arguments, from an arbitrary-precision library (mpmath).
 
+// Some references happen to be famous constants.
+#![allow(clippy::approx_constant)]
+
+/// Function, two arguments, value.
+type Reference = (&'static str, [f64; 2], [f64; 2], [f64; 2]);
+
 /// Function, two arguments, value; each number in its two halves. Computed with 1300 bits.
-pub const REFERENCES: [(&str, [f64; 2], [f64; 2], [f64; 2]); 121] = [
+pub const REFERENCES: [Reference; 121] = [
     ("sin", [1e-20, -3.872581429202198e-37], [0.0, 0.0], [1e-20, -3.872581429202198e-37]),
     ("sin", [0.3, -2.302553599884914e-17], [0.0, 0.0], [0.29552020666133955, -3.681777444583255e-18]),
     ("sin", [0.785, 2.6045549211355898e-17], [0.0, 0.0], [0.706825181105366, 1.3745750810617809e-18]),

@@ -1,0 +1,80 @@
+//! How a run ends before its time.
+
+use std::fmt;
+
+/// What happened, at what time, and what to try. The samples up to then stay with the caller.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Failure {
+    /// A number of the state became infinite or NaN.
+    Diverged {
+        /// Time reached.
+        t: f64,
+    },
+    /// The step that the tolerance asks for is below the resolution of time.
+    StepTooSmall {
+        /// Time reached.
+        t: f64,
+        /// The step.
+        h: f64,
+    },
+    /// An implicit step did not converge.
+    NoConvergence {
+        /// Time reached.
+        t: f64,
+        /// The step.
+        h: f64,
+        /// Iterations after which the loop gave up.
+        iterations: u32,
+    },
+    /// Events follow one another without time passing.
+    TooManyEvents {
+        /// Time reached.
+        t: f64,
+    },
+    /// Whoever watched asked the run to end.
+    Interrupted {
+        /// Time reached.
+        t: f64,
+    },
+}
+
+impl Failure {
+    /// The time reached.
+    pub fn time(&self) -> f64 {
+        match *self {
+            Self::Diverged { t }
+            | Self::StepTooSmall { t, .. }
+            | Self::NoConvergence { t, .. }
+            | Self::TooManyEvents { t }
+            | Self::Interrupted { t } => t,
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Diverged { t } => write!(
+                f,
+                "the state is no longer finite after t = {t} s: the motion diverges there, or the step is too \
+                 long (try a smaller dt, or dop853)"
+            ),
+            Self::StepTooSmall { t, h } => write!(
+                f,
+                "at t = {t} s a step of {h:.1e} s would be needed, which is below the resolution of time: \
+                 the motion is singular there, or the tolerance too tight (try a larger rtol)"
+            ),
+            Self::NoConvergence { t, h, iterations } => write!(
+                f,
+                "at t = {t} s the loop of the implicit step did not converge in {iterations} iterations with a \
+                 step of {h} s (try a smaller dt)"
+            ),
+            Self::TooManyEvents { t } => write!(
+                f,
+                "at t = {t} s events follow one another without time passing (check the parameters)"
+            ),
+            Self::Interrupted { t } => write!(f, "interrupted at t = {t} s"),
+        }
+    }
+}
+impl std::error::Error for Failure {}

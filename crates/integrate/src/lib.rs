@@ -1,0 +1,25 @@
+//! The integration methods of Precess, and what drives them.
+//!
+//! A method ([`Method`]) gives a [`Stepper`] for every kind of number; step-size control, dense output, events
+//! and the drive that joins them are parts of their own, so that each method gets all of them.
+
+mod controller;
+mod dense;
+mod drive;
+mod event;
+mod failure;
+mod method;
+mod methods;
+mod samples;
+mod tableau;
+
+pub use controller::{Controller, Tolerance};
+pub use dense::Dense;
+pub use drive::{Drive, Pace, Report, drive};
+pub use event::{Occurred, Source, Watched};
+pub use failure::Failure;
+pub use method::{
+    AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper, Steps,
+};
+pub use methods::METHODS;
+pub use samples::Samples;

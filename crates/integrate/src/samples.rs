@@ -1,0 +1,35 @@
+//! The times at which a run is sampled: every multiple of `every`, and the end.
+
+/// Sample times of a run from zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Samples {
+    until: f64,
+    every: f64,
+    /// Index of the last sample.
+    last: u64,
+}
+
+/// A multiple of `every` this close to the end (in units of `every`) is the end.
+const CLOSE: f64 = 1e-9;
+
+impl Samples {
+    /// Samples at k `every` up to `until` (negative: backwards), and at `until`.
+    pub fn new(until: f64, every: f64) -> Self {
+        let whole = (until.abs() / every + CLOSE).floor();
+        let ends = (until.abs() - whole * every).abs() <= CLOSE * every;
+        Self { until, every, last: if ends { whole as u64 } else { whole as u64 + 1 } }
+    }
+    /// Index of the last sample, which lies at the end.
+    pub fn last(&self) -> u64 {
+        self.last
+    }
+    /// The time of a sample: computed from its index, not accumulated.
+    pub fn time(&self, k: u64) -> f64 {
+        let t = k as f64 * self.every;
+        match k {
+            _ if k >= self.last => self.until,
+            _ if self.until < 0.0 => -t,
+            _ => t,
+        }
+    }
+}

@@ -1,0 +1,194 @@
+//! Bodies that attract one another, in a plane or in space.
+//!
+//!     r_i'' = k sum_{j != i} m_j (r_j - r_i) / (|r_j - r_i|^2 + softening^2)^(3/2)
+//!
+//! (P, section 9 and exercise 9.) Total energy, momentum and angular momentum stay constant. The bodies move in
+//! space as soon as a `z` is given.
+
+use crate::vector::cross;
+use precess_scalar::Scalar;
+use precess_system::{
+    Card, Coordinate, Given, Layout, State, System, Values, View, card, coordinate, list, number,
+};
+
+/// See the module.
+#[derive(Clone)]
+pub struct NBody;
+
+/// The sum over all pairs grows with the square of this.
+const MOST_BODIES: usize = 2000;
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+fn base() -> Card {
+    card("n_body", "Bodies under gravity", "Corps en gravitation")
+        .about(
+            "Planets that attract one another. Two move on conics for ever; with a third, a start that differs by a \
+             hundredth may throw the smallest out.",
+            "Des planètes qui s'attirent mutuellement. Deux décrivent à jamais des coniques ; à trois, un départ \
+             modifié d'un centième peut éjecter la plus petite.",
+        )
+        .source("P, section 9 and exercise 9, figures 27 and 28")
+        .parameter(number("k", "", 1.0, "constant of gravitation", "constante de gravitation"))
+        .parameter(number("softening", "", 0.0, "length that softens close encounters", "longueur qui adoucit les rencontres").not_negative())
+        .parameter(list("masses", "", &[10.0, 1.0], "masses", "masses").not_negative().symbol("m"))
+        .invariant("energy", "", "total energy", "énergie totale")
+        .run(10.0, 0.0001)
+}
+
+/// The start of P's first exercise; further bodies start at rest at the origin.
+fn start(body: usize, axis: usize) -> (f64, f64) {
+    match (body, axis) {
+        (0, 0) => (-1.0, 0.0),
+        (0, 1) => (0.0, 1.8),
+        (1, 0) => (1.0, 0.0),
+        (1, 1) => (0.0, -0.18),
+        _ => (0.0, 0.0),
+    }
+}
+
+fn place(body: usize, axis: usize) -> Coordinate {
+    let name = AXES[axis];
+    let (position, velocity) = start(body, axis);
+    let (en, fr) = (format!("{name} of body {body}"), format!("{name} du corps {body}"));
+    coordinate(&format!("{name}{body}"), "", &en, &fr).start(position).start_dot(velocity)
+}
+
+/// The card for so many bodies in so many dimensions.
+fn card_for(bodies: usize, dimensions: usize) -> Card {
+    let mut card = base();
+    for body in 0..bodies {
+        for axis in 0..dimensions {
+            card = card.coordinate(place(body, axis));
+        }
+    }
+    for axis in &AXES[..dimensions] {
+        card = card.invariant(&format!("momentum_{axis}"), "", &format!("momentum along {axis}"), &format!("quantité de mouvement selon {axis}"));
+    }
+    // In a plane only the last component is not identically zero.
+    for axis in &AXES[if dimensions == 3 { 0 } else { 2 }..] {
+        card = card.invariant(&format!("angular_momentum_{axis}"), "", &format!("angular momentum about {axis}"), &format!("moment cinétique selon {axis}"));
+    }
+    for body in 0..bodies {
+        for axis in &AXES[..dimensions] {
+            card = card.signal(
+                &format!("{axis}{body}_cm"),
+                "",
+                &format!("{axis} of body {body} from the centre of mass"),
+                &format!("{axis} du corps {body} depuis le centre de masse"),
+            );
+        }
+    }
+    card.views = vec![View::Plane { pairs: vec![("x*_cm".into(), "y*_cm".into())], equal_scales: true }];
+    card
+}
+
+impl System for NBody {
+    fn card(&self) -> Card {
+        card_for(2, 2)
+    }
+
+    fn layout(&self, values: &Values<f64>, given: &Given) -> Layout {
+        let in_space = given.0.iter().any(|(name, _)| name.starts_with('z'));
+        Layout::of(&card_for(values.lists[0].items.len(), if in_space { 3 } else { 2 }))
+    }
+
+    fn check(&self, s: &State<f64>) -> Result<(), String> {
+        let masses = s.list(0);
+        if masses.len() > MOST_BODIES {
+            return Err(format!("{} bodies are too many for a sum over all pairs: at most {MOST_BODIES}", masses.len()));
+        }
+        let [_, softening] = s.p();
+        let dimensions = s.coordinates.len() / masses.len();
+        let places: Vec<&[f64]> = s.coordinates.chunks(dimensions).collect();
+        let pair = (0..places.len()).find_map(|j| (0..j).find(|&i| places[i] == places[j]).map(|i| (i, j)));
+        match pair {
+            Some((i, j)) if softening == 0.0 => {
+                Err(format!("bodies {i} and {j} start at the same place: set x{j}, for instance"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
+        let ([k, softening], masses) = (s.p(), s.list(0));
+        let dimensions = highest.len() / masses.len();
+        highest.fill(S::from(0.0));
+        for j in 0..masses.len() {
+            for i in 0..j {
+                let (towards, cube) = separation(s.coordinates, dimensions, i, j, softening);
+                let pull = k / cube;
+                for axis in 0..dimensions {
+                    let (a, b) = (i * dimensions + axis, j * dimensions + axis);
+                    highest[a] = highest[a] + pull * masses[j] * towards[axis];
+                    highest[b] = highest[b] - pull * masses[i] * towards[axis];
+                }
+            }
+        }
+    }
+
+    fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
+        let masses = s.list(0);
+        let dimensions = s.coordinates.len() / masses.len();
+        let (kinetic, potential) = energies(s);
+        out[0] = kinetic + potential;
+        let mut momentum = [S::from(0.0); 3];
+        let mut spin = [S::from(0.0); 3];
+        let mut centre = [S::from(0.0); 3];
+        let mut total = S::from(0.0);
+        for (body, &m) in masses.iter().enumerate() {
+            let place = in_space(s.coordinates, dimensions, body);
+            let velocity = in_space(s.velocities, dimensions, body);
+            let moment = cross(place, velocity);
+            total = total + m;
+            for axis in 0..3 {
+                momentum[axis] = momentum[axis] + m * velocity[axis];
+                spin[axis] = spin[axis] + m * moment[axis];
+                centre[axis] = centre[axis] + m * place[axis];
+            }
+        }
+        let spin = if dimensions == 3 { &spin[..] } else { &spin[2..] };
+        let relative = s.coordinates.iter().enumerate().map(|(n, x)| *x - centre[n % dimensions] / total);
+        let rest = momentum[..dimensions].iter().copied().chain(spin.iter().copied()).chain(relative);
+        for (place, value) in out[1..].iter_mut().zip(rest) {
+            *place = value;
+        }
+    }
+
+    fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
+        let (kinetic, potential) = energies(s);
+        Some(kinetic - potential)
+    }
+}
+
+/// From body i to body j, and the cube of the softened distance.
+fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softening: S) -> ([S; 3], S) {
+    let mut towards = [S::from(0.0); 3];
+    let mut square = softening * softening;
+    for axis in 0..dimensions {
+        towards[axis] = q[j * dimensions + axis] - q[i * dimensions + axis];
+        square = square + towards[axis] * towards[axis];
+    }
+    (towards, square * square.sqrt())
+}
+
+fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
+    let own = &numbers[body * dimensions..][..dimensions];
+    std::array::from_fn(|axis| own.get(axis).copied().unwrap_or(S::from(0.0)))
+}
+
+fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
+    let ([k, softening], masses) = (s.p(), s.list(0));
+    let dimensions = s.coordinates.len() / masses.len();
+    let (mut kinetic, mut potential) = (S::from(0.0), S::from(0.0));
+    for j in 0..masses.len() {
+        let velocity = in_space(s.velocities, dimensions, j);
+        let square = velocity[0].squared() + velocity[1].squared() + velocity[2].squared();
+        kinetic = kinetic + masses[j] * square * 0.5;
+        for i in 0..j {
+            let (_, cube) = separation(s.coordinates, dimensions, i, j, softening);
+            potential = potential - k * masses[i] * masses[j] / cube.cbrt();
+        }
+    }
+    (kinetic, potential)
+}

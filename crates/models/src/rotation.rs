@@ -1,0 +1,93 @@
+//! The little geometry that bodies share: cross products, unit quaternions, Euler angles.
+//!
+//! A quaternion `[w, x, y, z]` turns body axes into space; Euler angles are those of T, section 2.1:
+//! R = Rz(psi) Rx(theta) Rz(phi).
+
+use precess_scalar::Scalar;
+
+/// A vector.
+pub(crate) type Vector<S> = [S; 3];
+/// A quaternion `[w, x, y, z]`.
+pub(crate) type Quaternion<S> = [S; 4];
+
+/// Scalar product.
+pub(crate) fn dot<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// Vector product.
+pub(crate) fn cross<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Body axes to space. A quaternion that is not of unit length also stretches, by its square.
+pub(crate) fn to_space<S: Scalar>([w, x, y, z]: Quaternion<S>, v: Vector<S>) -> Vector<S> {
+    let rows = [
+        [w * w + x * x - y * y - z * z, (x * y - w * z) * 2.0, (x * z + w * y) * 2.0],
+        [(x * y + w * z) * 2.0, w * w - x * x + y * y - z * z, (y * z - w * x) * 2.0],
+        [(x * z - w * y) * 2.0, (y * z + w * x) * 2.0, w * w - x * x - y * y + z * z],
+    ];
+    rows.map(|row| dot(row, v))
+}
+
+/// The rate of a quaternion whose body turns with `omega` in body axes: half the product of both.
+pub(crate) fn quaternion_rate<S: Scalar>(
+    [w, x, y, z]: Quaternion<S>,
+    [o1, o2, o3]: Vector<S>,
+) -> Quaternion<S> {
+    [
+        -(x * o1 + y * o2 + z * o3) * 0.5,
+        (w * o1 + y * o3 - z * o2) * 0.5,
+        (w * o2 + z * o1 - x * o3) * 0.5,
+        (w * o3 + x * o2 - y * o1) * 0.5,
+    ]
+}
+
+/// The unit quaternion of Euler angles (psi, theta, phi).
+pub(crate) fn from_euler<S: Scalar>([psi, theta, phi]: Vector<S>) -> Quaternion<S> {
+    let (sin, cos) = (theta * 0.5).sin_cos();
+    let (sin_sum, cos_sum) = ((psi + phi) * 0.5).sin_cos();
+    let (sin_difference, cos_difference) = ((psi - phi) * 0.5).sin_cos();
+    [cos * cos_sum, sin * cos_difference, sin * sin_difference, cos * sin_sum]
+}
+
+/// Angular velocity in body axes from Euler angles and their rates.
+pub(crate) fn omega_from_rates<S: Scalar>(
+    [_psi, theta, phi]: Vector<S>,
+    [psi_dot, theta_dot, phi_dot]: Vector<S>,
+) -> Vector<S> {
+    let ((sin, cos), (sin_phi, cos_phi)) = (theta.sin_cos(), phi.sin_cos());
+    let across = psi_dot * sin;
+    [
+        across * sin_phi + theta_dot * cos_phi,
+        across * cos_phi - theta_dot * sin_phi,
+        psi_dot * cos + phi_dot,
+    ]
+}
+
+/// Euler angles and their rates.
+///
+/// Half the sum of psi and phi is the angle of (w, z), half their difference that of (x, y), so the angles
+/// come by `atan2` alone. Where the axis is vertical one of the two has no meaning and rests at zero.
+pub(crate) fn euler<S: Scalar>([w, x, y, z]: Quaternion<S>, omega: Vector<S>) -> [Vector<S>; 2] {
+    let [w_dot, x_dot, y_dot, z_dot] = quaternion_rate([w, x, y, z], omega);
+    let (upright, tilted) = (w * w + z * z, x * x + y * y);
+    let (half_sum, half_difference) = (z.atan2(w), y.atan2(x));
+    let half_sum_dot = quotient(w * z_dot - z * w_dot, upright);
+    let half_difference_dot = quotient(x * y_dot - y * x_dot, tilted);
+    let theta = tilted.sqrt().atan2(upright.sqrt()) * 2.0;
+    let phi = half_sum - half_difference;
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    let theta_dot = omega[0] * cos_phi - omega[1] * sin_phi;
+    [
+        [half_sum + half_difference, theta, phi],
+        [half_sum_dot + half_difference_dot, theta_dot, half_sum_dot - half_difference_dot],
+    ]
+}
+
+/// `a / b` for `b >= 0`, and zero where `b` is.
+fn quotient<S: Scalar>(a: S, b: S) -> S {
+    let (zero, one) = (S::from(0.0), S::from(1.0));
+    let nothing = b.le(zero);
+    S::select(nothing, zero, a / S::select(nothing, one, b))
+}
