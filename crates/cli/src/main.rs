@@ -11,6 +11,7 @@ mod progress;
 mod run;
 mod show;
 mod subject;
+mod summary;
 mod table;
 
 use args::{Command, Verb};

@@ -5,7 +5,6 @@ mod oscillators;
 mod pendulums;
 mod rotation;
 mod tops;
-mod vector;
 
 use precess_system::AnySystem;
 

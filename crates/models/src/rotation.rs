@@ -58,11 +58,7 @@ pub(crate) fn omega_from_rates<S: Scalar>(
 ) -> Vector<S> {
     let ((sin, cos), (sin_phi, cos_phi)) = (theta.sin_cos(), phi.sin_cos());
     let across = psi_dot * sin;
-    [
-        across * sin_phi + theta_dot * cos_phi,
-        across * cos_phi - theta_dot * sin_phi,
-        psi_dot * cos + phi_dot,
-    ]
+    [across * sin_phi + theta_dot * cos_phi, across * cos_phi - theta_dot * sin_phi, psi_dot * cos + phi_dot]
 }
 
 /// Euler angles and their rates.

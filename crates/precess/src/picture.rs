@@ -118,7 +118,7 @@ fn expand(plan: &Plan, pairs: &[(String, String)]) -> Vec<(String, String)> {
         }
         for k in 0..plan.layout.coordinates.len() {
             let pair = (x.replace('*', &k.to_string()), y.replace('*', &k.to_string()));
-            if !plan.layout.coordinates.iter().any(|c| c.quantity.name == pair.0) {
+            if resolve::column(plan, &pair.0).is_err() {
                 break;
             }
             all.push(pair);

@@ -160,6 +160,10 @@ macro_rules! each {
 impl<const W: usize> Scalar for Batch<W> {
     type Mask = LaneMask<W>;
 
+    fn all(mask: LaneMask<W>) -> bool {
+        mask.all()
+    }
+
     #[inline(always)]
     fn lt(self, other: Self) -> LaneMask<W> {
         self.compare(other, |a, b| a < b)

@@ -19,5 +19,5 @@ pub use dependence::Dependence;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use scalar::Scalar;
-pub use traced::{Notation, Printed, Tape, Traced};
+pub use traced::{Notation, Printed, Tape, Traced, Workspace};
 pub use unit::{Dimension, Unit};

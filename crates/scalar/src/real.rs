@@ -5,6 +5,10 @@ use crate::{Scalar, elementary};
 impl Scalar for f64 {
     type Mask = bool;
 
+    fn all(mask: bool) -> bool {
+        mask
+    }
+
     #[inline(always)]
     fn lt(self, other: Self) -> bool {
         self < other

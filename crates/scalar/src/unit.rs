@@ -150,6 +150,10 @@ with_literal!(Add add, Sub sub, Mul mul, Div div);
 impl Scalar for Unit {
     type Mask = bool;
 
+    fn all(_: bool) -> bool {
+        true
+    }
+
     fn lt(self, o: Self) -> bool {
         self.agree(o);
         true

@@ -5,11 +5,10 @@
 //! (P, section 9 and exercise 9.) Total energy, momentum and angular momentum stay constant. The bodies move in
 //! space as soon as a `z` is given.
 
-use crate::vector::cross;
+use super::n_body_card;
+use crate::rotation::cross;
 use precess_scalar::Scalar;
-use precess_system::{
-    Card, Coordinate, Given, Layout, State, System, Values, View, card, coordinate, list, number,
-};
+use precess_system::{Card, Given, Layout, State, System, Values};
 
 /// See the module.
 #[derive(Clone)]
@@ -18,85 +17,23 @@ pub struct NBody;
 /// The sum over all pairs grows with the square of this.
 const MOST_BODIES: usize = 2000;
 
-const AXES: [&str; 3] = ["x", "y", "z"];
-
-fn base() -> Card {
-    card("n_body", "Bodies under gravity", "Corps en gravitation")
-        .about(
-            "Planets that attract one another. Two move on conics for ever; with a third, a start that differs by a \
-             hundredth may throw the smallest out.",
-            "Des planètes qui s'attirent mutuellement. Deux décrivent à jamais des coniques ; à trois, un départ \
-             modifié d'un centième peut éjecter la plus petite.",
-        )
-        .source("P, section 9 and exercise 9, figures 27 and 28")
-        .parameter(number("k", "", 1.0, "constant of gravitation", "constante de gravitation"))
-        .parameter(number("softening", "", 0.0, "length that softens close encounters", "longueur qui adoucit les rencontres").not_negative())
-        .parameter(list("masses", "", &[10.0, 1.0], "masses", "masses").not_negative().symbol("m"))
-        .invariant("energy", "", "total energy", "énergie totale")
-        .run(10.0, 0.0001)
-}
-
-/// The start of P's first exercise; further bodies start at rest at the origin.
-fn start(body: usize, axis: usize) -> (f64, f64) {
-    match (body, axis) {
-        (0, 0) => (-1.0, 0.0),
-        (0, 1) => (0.0, 1.8),
-        (1, 0) => (1.0, 0.0),
-        (1, 1) => (0.0, -0.18),
-        _ => (0.0, 0.0),
-    }
-}
-
-fn place(body: usize, axis: usize) -> Coordinate {
-    let name = AXES[axis];
-    let (position, velocity) = start(body, axis);
-    let (en, fr) = (format!("{name} of body {body}"), format!("{name} du corps {body}"));
-    coordinate(&format!("{name}{body}"), "", &en, &fr).start(position).start_dot(velocity)
-}
-
-/// The card for so many bodies in so many dimensions.
-fn card_for(bodies: usize, dimensions: usize) -> Card {
-    let mut card = base();
-    for body in 0..bodies {
-        for axis in 0..dimensions {
-            card = card.coordinate(place(body, axis));
-        }
-    }
-    for axis in &AXES[..dimensions] {
-        card = card.invariant(&format!("momentum_{axis}"), "", &format!("momentum along {axis}"), &format!("quantité de mouvement selon {axis}"));
-    }
-    // In a plane only the last component is not identically zero.
-    for axis in &AXES[if dimensions == 3 { 0 } else { 2 }..] {
-        card = card.invariant(&format!("angular_momentum_{axis}"), "", &format!("angular momentum about {axis}"), &format!("moment cinétique selon {axis}"));
-    }
-    for body in 0..bodies {
-        for axis in &AXES[..dimensions] {
-            card = card.signal(
-                &format!("{axis}{body}_cm"),
-                "",
-                &format!("{axis} of body {body} from the centre of mass"),
-                &format!("{axis} du corps {body} depuis le centre de masse"),
-            );
-        }
-    }
-    card.views = vec![View::Plane { pairs: vec![("x*_cm".into(), "y*_cm".into())], equal_scales: true }];
-    card
-}
-
 impl System for NBody {
     fn card(&self) -> Card {
-        card_for(2, 2)
+        n_body_card::card_of_two()
     }
 
     fn layout(&self, values: &Values<f64>, given: &Given) -> Layout {
         let in_space = given.0.iter().any(|(name, _)| name.starts_with('z'));
-        Layout::of(&card_for(values.lists[0].items.len(), if in_space { 3 } else { 2 }))
+        n_body_card::layout(values.lists[0].items.len(), if in_space { 3 } else { 2 })
     }
 
     fn check(&self, s: &State<f64>) -> Result<(), String> {
         let masses = s.list(0);
         if masses.len() > MOST_BODIES {
-            return Err(format!("{} bodies are too many for a sum over all pairs: at most {MOST_BODIES}", masses.len()));
+            return Err(format!(
+                "{} bodies are too many for a sum over all pairs: at most {MOST_BODIES}",
+                masses.len()
+            ));
         }
         let [_, softening] = s.p();
         let dimensions = s.coordinates.len() / masses.len();
@@ -149,7 +86,8 @@ impl System for NBody {
         }
         let spin = if dimensions == 3 { &spin[..] } else { &spin[2..] };
         let relative = s.coordinates.iter().enumerate().map(|(n, x)| *x - centre[n % dimensions] / total);
-        let rest = momentum[..dimensions].iter().copied().chain(spin.iter().copied()).chain(relative);
+        let sums = momentum[..dimensions].iter().chain(spin).copied();
+        let rest = sums.chain([kinetic, potential]).chain(relative);
         for (place, value) in out[1..].iter_mut().zip(rest) {
             *place = value;
         }

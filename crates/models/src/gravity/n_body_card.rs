@@ -15,13 +15,12 @@ pub(super) fn card_of_two() -> Card {
         )
         .source("P, section 9 and exercise 9, figures 27 and 28")
         .parameter(number("k", "", 1.0, "constant of gravitation", "constante de gravitation"))
-        .parameter(list("masses", "", &[10.0, 1.0], "masses of the bodies", "masses des corps"))
+        .parameter(list("masses", "", &[10.0, 1.0], "masses of the bodies", "masses des corps").not_negative().symbol("m"))
         .parameter(
             number("softening", "", 0.0, "length that softens the pull", "longueur qui adoucit l'attraction")
                 .not_negative(),
         )
-        .path_view("x*", "y*")
-        .time_view(&["x0", "x1"])
+        .path_view("xg*", "yg*")
         .run(10.0, 1e-4);
     observables(coordinates(2, 2).into_iter().fold(card, Card::coordinate), 2, 2)
 }
@@ -64,13 +63,17 @@ fn observables(card: Card, bodies: usize, dimensions: usize) -> Card {
         card = card.invariant("angular_momentum", "", "angular momentum", "moment cinétique");
     } else {
         for axis in axes {
-            let (en, fr) = (format!("angular momentum along {axis}"), format!("moment cinétique selon {axis}"));
+            let (en, fr) =
+                (format!("angular momentum along {axis}"), format!("moment cinétique selon {axis}"));
             card = card.invariant(&format!("angular_momentum_{axis}"), "", &en, &fr);
         }
     }
-    card = card
-        .signal("kinetic", "", "kinetic energy", "énergie cinétique")
-        .signal("potential", "", "potential energy", "énergie potentielle");
+    card = card.signal("kinetic", "", "kinetic energy", "énergie cinétique").signal(
+        "potential",
+        "",
+        "potential energy",
+        "énergie potentielle",
+    );
     for body in 0..bodies {
         for axis in axes {
             let en = format!("{axis} of body {body}, from the centre of mass");

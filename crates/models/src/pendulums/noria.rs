@@ -105,9 +105,12 @@ fn tip<S: Scalar>(bucket: usize, capacity: S, threshold: S, y: &mut [S]) {
 fn parameters(card: Card) -> Card {
     card.parameter(number("k", "", 50.0, "strength of the weight", "effet du poids"))
         .parameter(number("gamma", "", 75.0, "friction of the axle", "frottement de l'axe").not_negative())
-        .parameter(number("inflow", "", 1000.0 / 9.0, "water per time", "débit du filet d'eau").not_negative())
         .parameter(
-            number("capacity", "", 800.0 / 9.0, "water that a bucket holds", "contenance d'une cuvette").positive(),
+            number("inflow", "", 1000.0 / 9.0, "water per time", "débit du filet d'eau").not_negative(),
+        )
+        .parameter(
+            number("capacity", "", 800.0 / 9.0, "water that a bucket holds", "contenance d'une cuvette")
+                .positive(),
         )
         .parameter(
             number("evaporation", "", 50.0 / 9.0, "water lost per time", "évaporation par unité de temps")
@@ -118,12 +121,24 @@ fn parameters(card: Card) -> Card {
                 .not_negative(),
         )
         .parameter(
-            number("window", "", 0.35, "half-width of the stream, in radians", "demi-largeur du filet, en radians")
-                .within(0.0, PI / 8.0),
+            number(
+                "window",
+                "",
+                0.35,
+                "half-width of the stream, in radians",
+                "demi-largeur du filet, en radians",
+            )
+            .within(0.0, PI / 8.0),
         )
         .parameter(
-            number("threshold", "", 0.0005, "water below which the wheel rests", "eau sous laquelle la roue reste immobile")
-                .positive(),
+            number(
+                "threshold",
+                "",
+                0.0005,
+                "water below which the wheel rests",
+                "eau sous laquelle la roue reste immobile",
+            )
+            .positive(),
         )
 }
 
@@ -140,8 +155,12 @@ fn events(mut card: Card) -> Card {
             card = card.event(&format!("bucket{i}_{kind}"), direction, &en, &fr);
         }
     }
-    card.event("sets_off", Direction::Rising, "enough water to turn", "assez d'eau pour tourner")
-        .event("halts", Direction::Falling, "too little water to turn", "trop peu d'eau pour tourner")
+    card.event("sets_off", Direction::Rising, "enough water to turn", "assez d'eau pour tourner").event(
+        "halts",
+        Direction::Falling,
+        "too little water to turn",
+        "trop peu d'eau pour tourner",
+    )
 }
 
 impl System for Noria {
@@ -162,7 +181,12 @@ impl System for Noria {
         events(parameters(card))
             .modes(BUCKETS + 1)
             .signal("water", "", "water on the wheel", "eau sur la roue")
-            .signal("moment", "", "moment of the water, sum of m sin theta", "moment de l'eau, somme des m sin theta")
+            .signal(
+                "moment",
+                "",
+                "moment of the water, sum of m sin theta",
+                "moment de l'eau, somme des m sin theta",
+            )
             .time_view(&["theta"])
             .phase_view("theta", "theta_dot")
             .run(30.0, 0.001)
@@ -236,10 +260,14 @@ impl System for Noria {
     fn check(&self, s: &State<f64>) -> Result<(), String> {
         let [_k, _gamma, _inflow, capacity, _evaporation, _floor, _window, threshold] = s.p();
         if let Some((i, m)) = masses(s).into_iter().enumerate().find(|&(_, m)| m < 0.0 || m >= capacity) {
-            return Err(format!("bucket {i} cannot hold {m}: it starts with 0 or more, and less than {capacity}"));
+            return Err(format!(
+                "bucket {i} cannot hold {m}: it starts with 0 or more, and less than {capacity}"
+            ));
         }
         if sum(masses(s)) <= threshold && s.v() != [0.0] {
-            return Err("a wheel without water rests: theta_dot must be 0, or give the buckets some water".into());
+            return Err(
+                "a wheel without water rests: theta_dot must be 0, or give the buckets some water".into()
+            );
         }
         Ok(())
     }

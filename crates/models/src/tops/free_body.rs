@@ -38,9 +38,8 @@ fn group<const N: usize>(given: &Given, names: [&str; N]) -> Option<[f64; N]> {
 
 fn coordinates(card: Card) -> Card {
     let part = |name, en, fr| coordinate(name, "", en, fr).first_order();
-    let turn = |name, start, en, fr| -> Coordinate {
-        coordinate(name, "rad/s", en, fr).first_order().start(start)
-    };
+    let turn =
+        |name, start, en, fr| -> Coordinate { coordinate(name, "rad/s", en, fr).first_order().start(start) };
     card.coordinate(part("qw", "attitude, real part", "attitude, partie réelle").start(1.0))
         .coordinate(part("qx", "attitude, first part", "attitude, première partie"))
         .coordinate(part("qy", "attitude, second part", "attitude, deuxième partie"))
@@ -86,9 +85,15 @@ impl System for FreeBody {
             )
             .source("T, section 7.1; Landau and Lifshitz, Mechanics, paragraphs 36 and 37");
         let card = coordinates(card)
-            .parameter(number("i1", "kg m^2", 1.0, "inertia about axis 1", "inertie selon l'axe 1").positive())
-            .parameter(number("i2", "kg m^2", 2.0, "inertia about axis 2", "inertie selon l'axe 2").positive())
-            .parameter(number("i3", "kg m^2", 3.0, "inertia about axis 3", "inertie selon l'axe 3").positive())
+            .parameter(
+                number("i1", "kg m^2", 1.0, "inertia about axis 1", "inertie selon l'axe 1").positive(),
+            )
+            .parameter(
+                number("i2", "kg m^2", 2.0, "inertia about axis 2", "inertie selon l'axe 2").positive(),
+            )
+            .parameter(
+                number("i3", "kg m^2", 3.0, "inertia about axis 3", "inertie selon l'axe 3").positive(),
+            )
             .parameter(number("torque1", "N m", 0.0, "torque along axis 1", "moment selon l'axe 1"))
             .parameter(number("torque2", "N m", 0.0, "torque along axis 2", "moment selon l'axe 2"))
             .parameter(number("torque3", "N m", 0.0, "torque along axis 3", "moment selon l'axe 3"));
@@ -140,9 +145,11 @@ impl System for FreeBody {
         y[..4].copy_from_slice(&q.map(|part| part / norm));
         let Some(rates) = group(given, RATES) else { return Ok(()) };
         if group(given, OMEGA).is_some() {
-            return Err("the angular velocity is given twice: as omega1, omega2, omega3 and as rates of the \
+            return Err(
+                "the angular velocity is given twice: as omega1, omega2, omega3 and as rates of the \
                         Euler angles"
-                .into());
+                    .into(),
+            );
         }
         let attitude = [y[0], y[1], y[2], y[3]];
         let angles = angles.unwrap_or_else(|| euler(attitude, [0.0; 3])[0]);

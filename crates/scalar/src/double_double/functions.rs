@@ -95,6 +95,10 @@ impl DoubleDouble {
 impl Scalar for DoubleDouble {
     type Mask = bool;
 
+    fn all(mask: bool) -> bool {
+        mask
+    }
+
     fn lt(self, other: Self) -> bool {
         self < other
     }

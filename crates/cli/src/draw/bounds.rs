@@ -1,0 +1,51 @@
+//! The range of the data that a panel shows.
+
+use precess::figure::Panel;
+
+use super::axis::LARGEST;
+
+/// The smallest box around the points that can be drawn: `[x_lo, x_hi, y_lo, y_hi]`.
+pub fn bounds(panel: &Panel) -> Option<[f64; 4]> {
+    let curves = panel.curves.iter().flat_map(|c| c.x.iter().copied().zip(c.y.iter().copied()));
+    let marks = panel.marks.iter().map(|m| (m.x, m.y));
+    let shown = curves.chain(marks).filter(|&(x, y)| drawable(panel, x, y));
+    shown.fold(None, |seen, (x, y)| {
+        let [a, b, c, d] = seen.unwrap_or([x, x, y, y]);
+        Some([a.min(x), b.max(x), c.min(y), d.max(y)])
+    })
+}
+
+/// The point can appear in the panel.
+pub fn drawable(panel: &Panel, x: f64, y: f64) -> bool {
+    let usable = |v: f64| v.is_finite() && v.abs() <= LARGEST;
+    usable(x) && usable(y) && (!panel.logarithmic || y > 0.0)
+}
+
+/// Every curve runs to the right: a function of time, whose axis needs no room at its ends.
+pub fn runs_rightwards(panel: &Panel) -> bool {
+    panel.curves.iter().all(|c| c.x.windows(2).all(|w| w[1] >= w[0] || w[1].is_nan() || w[0].is_nan()))
+}
+
+/// A range with some air; a single value gets room on both sides, in proportion to itself.
+pub fn airy(lo: f64, hi: f64, air: f64) -> (f64, f64) {
+    let span = hi - lo;
+    let room = if span > 0.0 {
+        air * span
+    } else if lo == 0.0 {
+        1.0
+    } else {
+        0.1 * lo.abs()
+    };
+    (lo - room, hi + room)
+}
+
+/// Both ranges widened about their middles until one unit takes as many pixels on either axis.
+pub fn equalised(x: (f64, f64), y: (f64, f64), width: f64, height: f64) -> [f64; 4] {
+    let unit = ((x.1 - x.0) / width).max((y.1 - y.0) / height);
+    let around = |(lo, hi): (f64, f64), pixels: f64| {
+        let (middle, half) = (lo + 0.5 * (hi - lo), 0.5 * unit * pixels);
+        (middle - half, middle + half)
+    };
+    let (x, y) = (around(x, width), around(y, height));
+    [x.0, x.1, y.0, y.1]
+}

@@ -1,0 +1,124 @@
+//! What stands above a box: title of the panel, label of its vertical axis, names of the curves.
+//!
+//! The label of the vertical axis lies flat, where it reads without turning the head; the names
+//! share its line, outside the box, so that they never hide a curve.
+
+use kuva::render::render::{Primitive, Scene, TextAnchor};
+use precess::figure::Panel;
+
+use super::style::{INK, INKS, LABEL, PANEL_TITLE, SOFT};
+use super::text::{clean, fitting, line, width};
+
+const TITLE_LINE: f64 = 23.0;
+const LINE: f64 = 18.0;
+const GAP: f64 = 7.0;
+/// Length of the stroke before a name, and what is left free around the name.
+const STROKE: f64 = 18.0;
+const AROUND: f64 = 24.0;
+/// Lines of names at most; the rest is counted.
+const LINES: usize = 4;
+
+/// The lines above one box.
+pub struct Header {
+    title: String,
+    label: String,
+    /// Names by line; the first line stands beside the label where it fits.
+    names: Vec<Vec<(usize, String)>>,
+    beside: bool,
+    left: f64,
+    right: f64,
+}
+
+impl Header {
+    /// The header of a panel between `left` and `right`, its label completed by `note`.
+    pub fn new(panel: &Panel, note: &str, left: f64, right: f64) -> Self {
+        let label = clean(&format!("{}{note}", panel.y_label));
+        let room = right - left;
+        let named: Vec<_> = panel.curves.iter().enumerate().filter(|(_, c)| !c.label.is_empty()).collect();
+        let named = if named.len() > 1 { named } else { Vec::new() };
+        let named = named.into_iter().map(|(i, c)| (i, clean(&c.label))).collect::<Vec<_>>();
+        let total: f64 = named.iter().map(|(_, name)| extent(name)).sum();
+        let beside = total + width(&label, LABEL) + AROUND <= room;
+        let names = if named.is_empty() { Vec::new() } else { lines(named, room) };
+        Self { title: clean(&panel.title), label, names, beside, left, right }
+    }
+
+    /// Pixels from the top of the title to the box.
+    pub fn height(&self) -> f64 {
+        let title = if self.title.is_empty() { 0.0 } else { TITLE_LINE };
+        let label = if self.label.is_empty() && !(self.beside && !self.names.is_empty()) { 0.0 } else { LINE };
+        title + label + LINE * self.own_lines() as f64 + GAP
+    }
+
+    fn own_lines(&self) -> usize {
+        if self.beside { 0 } else { self.names.len() }
+    }
+
+    /// Draws the lines so that the title hangs from `top` and the others stand on the box at `bottom`.
+    pub fn draw(&self, scene: &mut Scene, top: f64, bottom: f64) {
+        let room = self.right - self.left;
+        if !self.title.is_empty() {
+            let size = fitting(&self.title, PANEL_TITLE, room);
+            scene.add(line(self.left, top + 14.0, &self.title, size, TextAnchor::Start, INK));
+        }
+        let first = bottom - GAP - LINE * self.own_lines() as f64 - 4.0;
+        if !self.label.is_empty() {
+            let size = fitting(&self.label, LABEL, room);
+            scene.add(line(self.left, first, &self.label, size, TextAnchor::Start, SOFT));
+        }
+        for (i, names) in self.names.iter().enumerate() {
+            let down = if self.beside { 0.0 } else { LINE * (i + 1) as f64 };
+            let total: f64 = names.iter().map(|(_, name)| extent(name)).sum::<f64>() - AROUND;
+            let start = if self.beside { self.right - total } else { self.left };
+            draw_names(scene, names, start, first + down);
+        }
+    }
+}
+
+/// Pixels of one name with its stroke and the space after it.
+fn extent(name: &str) -> f64 {
+    STROKE + 6.0 + width(name, LABEL) + AROUND
+}
+
+/// Names filled into lines; what exceeds the last one is counted there.
+fn lines(named: Vec<(usize, String)>, room: f64) -> Vec<Vec<(usize, String)>> {
+    let mut lines: Vec<Vec<(usize, String)>> = vec![Vec::new()];
+    let (mut used, mut left) = (0.0, named.len());
+    for (index, name) in named {
+        let wide = extent(&name);
+        if used > 0.0 && used + wide > room + AROUND {
+            if lines.len() == LINES {
+                break;
+            }
+            lines.push(Vec::new());
+            used = 0.0;
+        }
+        used += wide;
+        left -= 1;
+        lines.last_mut().into_iter().for_each(|l| l.push((index, name.clone())));
+    }
+    if left > 0
+        && let Some((_, name)) = lines.last_mut().and_then(|l| l.last_mut())
+    {
+        *name = format!("and {} more", left + 1);
+    }
+    lines
+}
+
+fn draw_names(scene: &mut Scene, names: &[(usize, String)], start: f64, base: f64) {
+    let mut x = start;
+    for (index, name) in names {
+        let (y, colour) = (base - 4.0, INKS[index % INKS.len()]);
+        scene.add(Primitive::Line {
+            x1: x.round(),
+            y1: y,
+            x2: x.round() + STROKE,
+            y2: y,
+            stroke: colour.into(),
+            stroke_width: 2.0,
+            stroke_dasharray: super::panel::dashes(*index),
+        });
+        scene.add(line(x + STROKE + 6.0, base, name, LABEL, TextAnchor::Start, INK));
+        x += extent(name);
+    }
+}

@@ -1,0 +1,62 @@
+//! What the library drew, tidied: curves become short thinned paths, lines sit on the pixels.
+
+use kuva::render::render::{PathData, Primitive};
+
+use super::style::{CURVE, CURVE_DENSE};
+use super::text::quarter;
+use super::thin::{Point, thinned};
+
+/// Points that a curve of full width may have after thinning.
+const DENSE: usize = 12_000;
+
+/// One primitive of a panel as it goes onto the page; clips fall away, for ranges hold all data.
+pub fn tidied(primitive: Primitive) -> Option<Primitive> {
+    match primitive {
+        Primitive::PolyLine { points, stroke, stroke_dasharray, .. } => {
+            let runs = thinned(&points);
+            let count: usize = runs.iter().map(Vec::len).sum();
+            let stroke_width = if count > DENSE { CURVE_DENSE } else { CURVE };
+            let d = described(&runs);
+            let path = PathData { d, fill: None, stroke, stroke_width, opacity: None, stroke_dasharray };
+            (count > 0).then(|| Primitive::Path(Box::new(path)))
+        }
+        Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray } => {
+            let [x1, y1, x2, y2] = [x1, y1, x2, y2].map(centre);
+            Some(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray })
+        }
+        Primitive::Text { x, y, content, size, anchor, rotate, bold, color } => {
+            let (x, y) = (quarter(x), quarter(y));
+            Some(Primitive::Text { x, y, content, size, anchor, rotate, bold, color })
+        }
+        Primitive::ClipStart { .. } | Primitive::ClipEnd => None,
+        other => Some(other),
+    }
+}
+
+/// The middle of a pixel, where a line of one pixel is sharp.
+fn centre(v: f64) -> f64 {
+    v.floor() + 0.5
+}
+
+/// SVG path data with two decimals; a lone point becomes a dot under its round caps.
+fn described(runs: &[Vec<Point>]) -> String {
+    let mut d = String::new();
+    for run in runs {
+        for (i, &(x, y)) in run.iter().enumerate() {
+            d.push(if i == 0 { 'M' } else { 'L' });
+            push(&mut d, x);
+            d.push(' ');
+            push(&mut d, y);
+        }
+        if run.len() == 1 {
+            d.push_str("h.01");
+        }
+    }
+    d
+}
+
+/// Appends hundredths, without idle zeros.
+fn push(d: &mut String, v: f64) {
+    let text = format!("{v:.2}");
+    d.push_str(text.trim_end_matches('0').trim_end_matches('.'));
+}

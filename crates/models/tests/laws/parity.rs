@@ -1,0 +1,154 @@
+//! Every number gives the same: lanes and derivatives to the bit, twice the digits to rounding.
+
+use crate::{Any, cases, cases::Case, cases::everything, finds, holds_for_all};
+use precess_scalar::{Batch, DoubleDouble, Dual, Scalar};
+use precess_system::{AnySystem, Bind, Field, List, Values};
+
+/// With twice the digits, the outcome may differ as if the inputs were off by this part.
+const BOUND: f64 = 1e-13;
+
+pub fn law(system: Any) -> Result<(), String> {
+    for group in cases::cases(system)? {
+        let plain: Vec<Vec<f64>> = group.iter().map(|case| plain(system, case)).collect();
+        lanes::<4>(system, &group, &plain)?;
+        lanes::<8>(system, &group, &plain)?;
+        for (case, expected) in group.iter().zip(&plain) {
+            dual(system, case, expected)?;
+            double_double(system, case, expected)?;
+        }
+    }
+    Ok(())
+}
+
+fn plain(system: Any, case: &Case) -> Vec<f64> {
+    let (field, y) = case.bind(system, |x| x);
+    everything(&*field, case.t, &y)
+}
+
+/// The first number that is not the same to the bit.
+fn same_bits(kind: &str, case: &Case, found: &[f64], expected: &[f64]) -> Result<(), String> {
+    let differs = |(a, b): (&f64, &f64)| !a.is_finite() || a.to_bits() != b.to_bits();
+    let place = found.iter().zip(expected).position(differs);
+    place.map_or(Ok(()), |k| {
+        let name = &case.names()[k];
+        Err(format!("{name} is {} with {kind}, {} with a plain number", found[k], expected[k]))
+    })
+}
+
+/// A block of cases side by side, each with its own parameters.
+fn lanes<const W: usize>(system: Any, group: &[Case], expected: &[Vec<f64>]) -> Result<(), String>
+where
+    dyn AnySystem: Bind<Batch<W>>,
+{
+    for (block, expected) in group.chunks_exact(W).zip(expected.chunks_exact(W)) {
+        let lanes = |get: &dyn Fn(&Case) -> f64| Batch::<W>(std::array::from_fn(|lane| get(&block[lane])));
+        let first = &block[0].values;
+        let values = Values {
+            numbers: (0..first.numbers.len()).map(|i| lanes(&|c| c.values.numbers[i])).collect(),
+            lists: (first.lists.iter().enumerate())
+                .map(|(k, list)| List {
+                    width: list.width,
+                    items: (0..list.items.len()).map(|i| lanes(&|c| c.values.lists[k].items[i])).collect(),
+                })
+                .collect(),
+            choices: first.choices.clone(),
+        };
+        let y: Vec<Batch<W>> = (0..block[0].y.len()).map(|i| lanes(&|c| c.y[i])).collect();
+        let field = Bind::<Batch<W>>::bind(system, values, &block[0].layout);
+        let found = everything(&*field, lanes(&|c| c.t), &y);
+        for lane in 0..W {
+            let found: Vec<f64> = found.iter().map(|x| x.0[lane]).collect();
+            same_bits(&format!("{W} lanes"), &block[lane], &found, &expected[lane])?;
+        }
+    }
+    Ok(())
+}
+
+fn dual(system: Any, case: &Case, expected: &[f64]) -> Result<(), String> {
+    let (field, y) = case.bind(system, |x| Dual::new(x, 1.0));
+    let found: Vec<f64> = everything(&*field, Dual::new(case.t, 1.0), &y).iter().map(|x| x.value).collect();
+    same_bits("a dual number", case, &found, expected)
+}
+
+fn double_double(system: Any, case: &Case, expected: &[f64]) -> Result<(), String> {
+    let (field, y) = case.bind(system, DoubleDouble::from);
+    let found = everything(&*field, DoubleDouble::from(case.t), &y);
+    let sensitivity = sensitivity(system, case);
+    for (k, (exact, plain)) in found.iter().zip(expected).enumerate() {
+        let error = (*exact - DoubleDouble::from(*plain)).to_f64();
+        if !(error.abs() <= BOUND * (plain.abs() + sensitivity[k])) {
+            let name = &case.names()[k];
+            return Err(format!(
+                "{name} is {plain} with a plain number, off by {error:e} from twice the digits"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// For each outcome the sum over the inputs (time, state, parameters) of |derivative| |input|.
+fn sensitivity(system: Any, case: &Case) -> Vec<f64> {
+    let inputs = 1 + case.y.len() + case.values.numbers.len();
+    let inputs = inputs + case.values.lists.iter().map(|list| list.items.len()).sum::<usize>();
+    let mut total: Vec<f64> = vec![];
+    for moving in 0..inputs {
+        let next = std::cell::Cell::new(0);
+        let lift = |x: f64| Dual::new(x, if next.replace(next.get() + 1) == moving { x } else { 0.0 });
+        let t = lift(case.t);
+        let values = case.values.map(|&x| lift(x));
+        let y: Vec<Dual<f64>> = case.y.iter().map(|&x| lift(x)).collect();
+        let field: Box<dyn Field<Dual<f64>>> = Bind::bind(system, values, &case.layout);
+        let slopes = everything(&*field, t, &y);
+        total.resize(slopes.len(), 0.0);
+        for (sum, outcome) in total.iter_mut().zip(slopes) {
+            *sum += outcome.slope.abs();
+        }
+    }
+    total
+}
+
+#[test]
+fn every_number_gives_the_same() {
+    holds_for_all(law);
+}
+
+mod faulty {
+    use precess_scalar::Scalar;
+    use precess_system::{Card, State, System, card, coordinate};
+
+    /// A spring that looks at what it computes with: numbers of this size see another stiffness.
+    #[derive(Clone)]
+    pub struct Peeking {
+        pub bytes: usize,
+        pub error: f64,
+    }
+
+    impl System for Peeking {
+        fn card(&self) -> Card {
+            card("peeking", "Peeking", "Curieux").coordinate(coordinate("x", "", "place", "place"))
+        }
+        fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
+            let error = if size_of::<S>() == self.bytes { self.error } else { 0.0 };
+            highest[0] = -s.coordinates[0] * (1.0 + error);
+        }
+    }
+}
+
+#[test]
+fn the_law_finds_a_number_that_differs() {
+    use faulty::Peeking;
+    law(&Peeking { bytes: 0, error: 0.0 }).expect("the sound spring passes");
+    finds(&law(&Peeking { bytes: 32, error: f64::EPSILON }), &["rate of x_dot", "4 lanes"]);
+    finds(&law(&Peeking { bytes: 64, error: f64::EPSILON }), &["rate of x_dot", "8 lanes"]);
+    finds(&law(&Peeking { bytes: 16, error: f64::EPSILON }), &["rate of x_dot", "a dual number"]);
+    // A dual number and a double-double have the same size: a plain number that is off shows in both.
+    finds(&law(&Peeking { bytes: 8, error: 1e-12 }), &["rate of x_dot"]);
+}
+
+/// A mask in an equation: [`Scalar::select`] must choose lane by lane.
+#[test]
+fn lanes_choose_for_themselves() {
+    let x = Batch::<4>([-1.0, 0.0, 2.0, -0.0]);
+    let chosen = Batch::select(x.lt(Batch::from(0.0)), -x, x);
+    assert_eq!(chosen.0, [1.0, 0.0, 2.0, 0.0]);
+}

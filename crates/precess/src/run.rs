@@ -1,0 +1,141 @@
+//! A plan carried out.
+
+use crate::canonical::scenario_toml;
+use crate::hash::hash_text;
+use crate::plan::{Plan, Step};
+use precess_integrate::{Drive, Failure, Pace, Samples, Source, Tolerance, Watched, drive};
+use precess_system::{Bind, Column, ColumnKind, Field, Occurrence, Trajectory};
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+
+/// Where a result comes from, and what it cost.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Provenance {
+    /// Version of Precess.
+    pub version: String,
+    /// The scenario with everything spelt out.
+    pub scenario: String,
+    /// SHA-256 of that scenario.
+    pub scenario_hash: String,
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejections: u64,
+    /// Evaluations of the equations.
+    pub evaluations: u64,
+}
+
+/// What came out of a run.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outcome {
+    /// The samples and events.
+    pub trajectory: Trajectory,
+    /// Where they come from.
+    pub provenance: Provenance,
+    /// The name of the watched event that ended the run.
+    pub stopped_by: Option<String>,
+    /// Why the run ended before its time; the samples up to then are right.
+    pub failure: Option<Failure>,
+}
+
+/// Runs a plan. `progress` is told the time now and then and may end the run.
+pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Outcome {
+    let field = Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout);
+    let directions: Vec<_> = plan.layout.events.iter().map(|e| e.direction).collect();
+    let watches = watched(plan, field.as_ref());
+    let job = Drive {
+        field: field.as_ref(),
+        method: plan.method,
+        options: plan.options,
+        start: &plan.start,
+        samples: Samples::new(plan.until, plan.every),
+        pace: pace(plan),
+        directions: &directions,
+        watches: &watches,
+    };
+    let mut trajectory = Trajectory { columns: columns(plan), ..Trajectory::default() };
+    let state = plan.layout.shape().state();
+    let mut observed = vec![0.0; plan.layout.observables.len()];
+    let mut record = |t: f64, y: &[f64]| {
+        field.observe(t, y, &mut observed);
+        trajectory.numbers.push(t);
+        trajectory.numbers.extend_from_slice(&y[..state]);
+        trajectory.numbers.extend_from_slice(&observed);
+    };
+    let report = drive(&job, &mut record, progress);
+    trajectory.events = report
+        .events
+        .into_iter()
+        .map(|event| Occurrence {
+            name: match event.source {
+                Source::System(k) => plan.layout.events[k].name.clone(),
+                Source::Watch(k) => plan.watches[k].name.clone(),
+            },
+            t: event.t,
+            state: event.state[..state].to_vec(),
+        })
+        .collect();
+    let scenario = scenario_toml(plan);
+    Outcome {
+        trajectory,
+        provenance: Provenance {
+            version: env!("CARGO_PKG_VERSION").into(),
+            scenario_hash: hash_text(&scenario),
+            scenario,
+            steps: report.steps,
+            rejections: report.rejections,
+            evaluations: report.evaluations,
+        },
+        stopped_by: report.stopped_by.map(|k| plan.watches[k].name.clone()),
+        failure: report.failure,
+    }
+}
+
+/// Cyclic angles and modes stay out of the error norm: nothing depends on an angle that no equation holds, and a
+/// mode rests.
+fn pace(plan: &Plan) -> Pace {
+    match plan.step {
+        Step::Fixed(dt) => Pace::Fixed(dt),
+        Step::Adaptive { rtol, atol } => {
+            let shape = plan.layout.shape();
+            let mut skip = plan.structure.cyclic.clone();
+            skip.resize(shape.state(), false);
+            skip.resize(shape.full(), true);
+            Pace::Adaptive(Tolerance { rtol, atol, skip })
+        }
+    }
+}
+
+fn columns(plan: &Plan) -> Vec<Column> {
+    let state = plan.layout.shape().state();
+    let kind = |k: usize| match k {
+        0 => ColumnKind::Time,
+        k if k <= state => ColumnKind::State,
+        k if plan.is_invariant(k - state - 1) => ColumnKind::Invariant,
+        _ => ColumnKind::Signal,
+    };
+    let quantities = plan.columns().into_iter().enumerate();
+    quantities.map(|(k, q)| Column { name: q.name, unit: q.unit, kind: kind(k) }).collect()
+}
+
+/// The watched quantities as functions of the state.
+fn watched<'a>(plan: &'a Plan, field: &'a dyn Field<f64>) -> Vec<Watched<'a>> {
+    let state = plan.layout.shape().state();
+    let watch = |watch: &'a crate::plan::Watch| {
+        let observed = RefCell::new(vec![0.0; plan.layout.observables.len()]);
+        let function = move |t: f64, y: &[f64]| {
+            let quantity = match watch.column {
+                0 => t,
+                k if k <= state => y[k - 1],
+                k => {
+                    let mut observed = observed.borrow_mut();
+                    field.observe(t, y, &mut observed);
+                    observed[k - state - 1]
+                }
+            };
+            quantity - watch.value
+        };
+        Watched { function: Box::new(function), direction: watch.direction, stop: watch.stop }
+    };
+    plan.watches.iter().map(watch).collect()
+}

@@ -1,0 +1,31 @@
+//! A number that writes down what is done with it.
+//!
+//! Run an equation on [`Traced`] inside [`Tape::record`] and the [`Tape`] holds the expression. It replays on
+//! any other number (to the bit on `f64`), tells what depends on what, and prints itself as text or LaTeX.
+//!
+//! * `number` is the number the equation sees, `node` what one operation is,
+//! * `recorder` shares equal operations, `exact` and `algebra` fold what folds,
+//! * `tape` is the finished expression, `replay` runs it,
+//! * `print` asks `definitions` what deserves a name, `view`, `product` and `constant` how terms are arranged,
+//!   and `text` or `latex` (and `condition` for both) to write them.
+
+mod algebra;
+mod condition;
+mod constant;
+mod definitions;
+mod exact;
+mod latex;
+mod node;
+mod number;
+mod print;
+mod product;
+mod recorder;
+mod replay;
+mod tape;
+mod text;
+mod view;
+
+pub use number::Traced;
+pub use print::{Notation, Printed};
+pub use replay::Workspace;
+pub use tape::Tape;
