@@ -2,7 +2,10 @@
 
 use crate::controller::norm;
 use crate::event::Scanner;
-use crate::{AnyMethod, Controller, Dense, Failure, Occurred, Options, Samples, Source, Stepper, Steps, Tolerance, Watched};
+use crate::{
+    AnyMethod, Controller, Dense, Failure, Occurred, Options, Samples, Source, Stepper, Steps, Tolerance,
+    Watched,
+};
 use precess_scalar::Scalar;
 use precess_system::{Direction, Field};
 use std::ops::ControlFlow;
@@ -72,6 +75,7 @@ pub fn drive(
         sample: vec![0.0; run.start.len()],
         due: 1,
         restarts: 0,
+        fired: vec![f64::NEG_INFINITY; run.directions.len()],
         report: Report::default(),
         record,
         progress,
@@ -112,6 +116,8 @@ struct Engine<'a> {
     due: u64,
     /// Events since the last step that none has cut.
     restarts: u32,
+    /// When each of the system's events happened last.
+    fired: Vec<f64>,
     report: Report,
     record: &'a mut dyn FnMut(f64, &[f64]),
     progress: &'a mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -121,6 +127,8 @@ struct Engine<'a> {
 const BETWEEN_LOOKS: u64 = 256;
 /// Events in a row, without a whole step between, that no motion has.
 const MOST_RESTARTS: u32 = 1000;
+/// An event that comes again sooner than this (in units of the run) comes again and again: a ball at rest.
+const SHORTEST_PAUSE: f64 = 1e-9;
 /// A remainder of a step below this share of it is merged into the last step before a sample.
 const MERGED: f64 = 1e-9;
 /// Pieces of an adaptive step that are searched for events one by one.
@@ -144,7 +152,9 @@ impl Engine<'_> {
 
     /// Looks at the clock now and then.
     fn look(&mut self) -> Flow {
-        if (self.report.steps + self.report.rejections) % BETWEEN_LOOKS == 0 && (self.progress)(self.t).is_break() {
+        if (self.report.steps + self.report.rejections).is_multiple_of(BETWEEN_LOOKS)
+            && (self.progress)(self.t).is_break()
+        {
             return fail(Failure::Interrupted { t: self.t });
         }
         ControlFlow::Continue(())
@@ -199,7 +209,8 @@ impl Engine<'_> {
         let order = f64::from(self.run.method.card().order);
         // Hairer's choices: proportional-integral for the method of order 5, proportional for that of order 8.
         let beta = if order < 8.0 { 0.04 } else { 0.0 };
-        let controller = Controller { exponent: 1.0 / order, beta, low: 0.2, high: if beta == 0.0 { 6.0 } else { 10.0 } };
+        let controller =
+            Controller { exponent: 1.0 / order, beta, low: 0.2, high: if beta == 0.0 { 6.0 } else { 10.0 } };
         let until = self.run.samples.time(self.run.samples.last());
         let mut weights = vec![0.0; self.y.len()];
         let mut h = self.first_step(tolerance, order, until);
@@ -212,7 +223,11 @@ impl Engine<'_> {
             let (step, end) = if last { (rest, until) } else { (h, self.t + h) };
             if end == self.t {
                 let finite = self.next.iter().all(|x| x.is_finite());
-                return fail(if finite { Failure::StepTooSmall { t: self.t, h } } else { Failure::Diverged { t: self.t } });
+                return fail(if finite {
+                    Failure::StepTooSmall { t: self.t, h }
+                } else {
+                    Failure::Diverged { t: self.t }
+                });
             }
             self.attempt(step)?;
             tolerance.weights(&self.y, &self.next, &mut weights);
@@ -281,9 +296,15 @@ impl Engine<'_> {
     /// Applies the system's events of this time, and begins anew there.
     fn jump(&mut self, when: f64, state: Vec<f64>, found: &[(f64, Source)]) -> Flow {
         self.y = state;
+        let until = self.run.samples.time(self.run.samples.last());
         for (t, source) in found {
             if let (Source::System(k), true) = (source, *t == when) {
                 self.run.field.jump(*k, when, &mut self.y);
+                let pause = (when - self.fired[*k]).abs();
+                self.fired[*k] = when;
+                if pause < SHORTEST_PAUSE * until.abs() {
+                    return fail(Failure::TooManyEvents { t: when });
+                }
             }
         }
         self.t = when;

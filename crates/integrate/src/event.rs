@@ -3,10 +3,13 @@
 use crate::Dense;
 use precess_system::{Direction, Field};
 
-/// A function of time and state that a user watches.
+/// A function of time and full state.
+pub type Function<'a> = Box<dyn Fn(f64, &[f64]) -> f64 + 'a>;
+
+/// A function that a user watches.
 pub struct Watched<'a> {
     /// The function.
-    pub function: Box<dyn Fn(f64, &[f64]) -> f64 + 'a>,
+    pub function: Function<'a>,
     /// Which way it passes through zero, as the integration proceeds.
     pub direction: Direction,
     /// The run ends there.
@@ -42,6 +45,9 @@ pub(crate) struct Scanner<'a> {
     after: Vec<f64>,
     state: Vec<f64>,
 }
+
+/// A time so soon after the start of a step (in steps) that nothing has happened since.
+const AT_ONCE: f64 = 1e-11;
 
 /// A passage from one side to the other: landing on zero counts, leaving it does not.
 fn passes(direction: Direction, before: f64, after: f64) -> bool {
@@ -97,7 +103,8 @@ impl<'a> Scanner<'a> {
         let mut after = std::mem::take(&mut self.after);
         self.values(t, y, &mut after);
         self.after = after;
-        (0..self.before.len()).any(|k| passes(self.direction(k), self.before[k], self.after[k]))
+        let differs = |k| self.before[k] == 0.0 || passes(self.direction(k), self.before[k], self.after[k]);
+        (0..self.before.len()).any(differs)
     }
 
     /// All passages inside a step, in the order of time; `begin` must have seen its start.
@@ -107,6 +114,16 @@ impl<'a> Scanner<'a> {
         let mut before = self.before.clone();
         let mut after = before.clone();
         let mut from = t;
+        if before.contains(&0.0) {
+            // A function that starts on zero (a ball on the floor) is on the side where it goes at once.
+            dense.at(t + h * AT_ONCE, &mut state);
+            self.values(t + h * AT_ONCE, &state, &mut after);
+            for k in 0..before.len() {
+                if before[k] == 0.0 {
+                    before[k] = after[k];
+                }
+            }
+        }
         for piece in 1..=pieces {
             let to = if piece == pieces { t + h } else { t + h * (f64::from(piece) / f64::from(pieces)) };
             dense.at(to, &mut state);

@@ -16,7 +16,7 @@ mod tableau;
 pub use controller::{Controller, Tolerance};
 pub use dense::Dense;
 pub use drive::{Drive, Pace, Report, drive};
-pub use event::{Occurred, Source, Watched};
+pub use event::{Function, Occurred, Source, Watched};
 pub use failure::Failure;
 pub use method::{
     AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper, Steps,

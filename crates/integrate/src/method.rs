@@ -117,14 +117,8 @@ pub trait Stepper<S: Scalar>: Send {
     ///
     /// # Errors
     /// Where an implicit step does not converge.
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence>;
+    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S])
+    -> Result<(), NoConvergence>;
 
     /// The estimated error of the last step, as a root mean square over components weighted by `weights`
     /// (one over the tolerated error; zero for components left out). Zero for methods without an estimate.

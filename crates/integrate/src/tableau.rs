@@ -11,7 +11,6 @@ pub(crate) type Row = &'static [(usize, f64)];
 /// An explicit Runge-Kutta pair. After the stages comes one more, the rate at the end of the step, which is
 /// the first stage of the next step.
 pub(crate) struct Tableau {
-    pub order: u32,
     /// Times of the stages, in steps.
     pub nodes: &'static [f64],
     /// Rows of the stages after the first.
@@ -62,7 +61,15 @@ fn combine<S: Scalar>(row: Row, k: &[Vec<S>], i: usize) -> S {
 }
 
 impl<S: Scalar> Steps<S> {
-    fn stage(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, row: Row, node: f64, stage: usize) {
+    /// The rate at stage number `stage`, whose time and row are given.
+    fn stage(
+        &mut self,
+        field: &dyn Field<S>,
+        (t, h): (S, S),
+        y: &[S],
+        stage: usize,
+        (node, row): (f64, Row),
+    ) {
         for (i, state) in self.state.iter_mut().enumerate() {
             *state = y[i] + h * combine(row, &self.k, i);
         }
@@ -80,7 +87,14 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence> {
         let tableau = self.tableau;
         if !self.first_known {
             field.rate(t, y, &mut self.k[0]);
@@ -88,7 +102,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
             self.first_known = true;
         }
         for (row, stage) in tableau.stages.iter().zip(1..) {
-            self.stage(field, t, y, h, row, tableau.nodes[stage], stage);
+            self.stage(field, (t, h), y, stage, (tableau.nodes[stage], row));
         }
         for (i, out) in out.iter_mut().enumerate() {
             *out = y[i] + h * combine(tableau.weights, &self.k, i);
@@ -117,7 +131,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         let tableau = self.tableau;
         let last = tableau.nodes.len();
         for (n, row) in tableau.extra_stages.iter().enumerate() {
-            self.stage(field, t, y, h, row, tableau.extra_nodes[n], last + 1 + n);
+            self.stage(field, (t, h), y, last + 1 + n, (tableau.extra_nodes[n], row));
         }
         let mut dense = Dense::hermite(t, h, y, end, &self.k[0], &self.k[last]);
         for row in tableau.dense {
@@ -139,3 +153,6 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         self.evaluations
     }
 }
+
+#[cfg(test)]
+mod order_conditions;

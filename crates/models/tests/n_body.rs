@@ -1,5 +1,4 @@
 //! Any number of bodies: what lists and names make of the layout, what is refused, a closed form.
-#![allow(dead_code)]
 
 mod common;
 use common::{Ready, given, ready};
@@ -30,7 +29,7 @@ fn a_start_that_names_a_z_makes_space() {
         assert_eq!(names[..6], ["x0", "y0", "z0", "x1", "y1", "z1"]);
         assert_eq!(names.len(), 12);
     }
-    assert_eq!(bodies(&[1.0, 1.0], &[("zoom", 0.5)]).layout.coordinates.len(), 4);
+    assert_eq!(bodies(&[1.0, 1.0], &[("y0", 0.5)]).layout.coordinates.len(), 4);
 }
 
 #[test]

@@ -52,7 +52,9 @@ fn names(card: &Card, values: &Values<f64>, layout: &Layout, notation: Notation)
         let prime = quantity.name.strip_suffix("_dot").filter(|_| !latex);
         names.push(prime.map_or_else(|| name(&quantity), |stem| format!("{stem}'")));
     }
-    names.extend((0..layout.modes).map(|k| if latex { format!("\\sigma_{{{k}}}") } else { format!("mode{k}") }));
+    names.extend(
+        (0..layout.modes).map(|k| if latex { format!("\\sigma_{{{k}}}") } else { format!("mode{k}") }),
+    );
     let numbers = card.parameters.iter().filter(|p| matches!(p.default, Default::Number(_)));
     names.extend(numbers.map(|p| name(&p.quantity)));
     let lists = card.parameters.iter().filter_map(|p| match &p.default {

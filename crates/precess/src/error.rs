@@ -58,7 +58,9 @@ pub fn unknown<'a>(what: &str, name: &str, names: impl IntoIterator<Item = &'a s
     let nearest = if name.len() > 100 { None } else { names.iter().min_by_key(|n| distance(n)) };
     let hint = match nearest {
         None => "there are none".to_string(),
-        Some(n) if names.len() > 1 && distance(n) <= n.len().max(name.len()) => format!("did you mean '{n}'?"),
+        Some(n) if names.len() > 1 && distance(n) <= n.len().max(name.len()) => {
+            format!("did you mean '{n}'?")
+        }
         Some(_) if names.len() <= 12 => format!("known are {}", names.join(", ")),
         Some(n) => format!("did you mean '{n}'?"),
     };

@@ -1,8 +1,8 @@
 //! The figure of a run: the scenario's panels, or the card's views and the drift of the invariants.
 
+use crate::canonical::scenario_toml;
 use crate::figure::{Curve, Figure, Mark, Panel};
 use crate::plan::{PanelPlan, Plan, Step};
-use crate::canonical::scenario_toml;
 use crate::resolve;
 use precess_system::{ColumnKind, Quantity, Trajectory, View};
 
@@ -84,7 +84,11 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
     match view {
         View::Time(names) => {
             let y = names.iter().filter_map(|name| index(name)).collect();
-            scenario_panel(&PanelPlan { title: String::new(), x: 0, y, equal_scales: false }, columns, trajectory)
+            scenario_panel(
+                &PanelPlan { title: String::new(), x: 0, y, equal_scales: false },
+                columns,
+                trajectory,
+            )
         }
         View::Plane { pairs, equal_scales } => {
             let pairs = expand(plan, pairs);
@@ -100,7 +104,9 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
                 curves: known.iter().map(|&(x, y)| curve(columns, trajectory, x, y, many)).collect(),
                 marks: known
                     .iter()
-                    .filter_map(|&(x, y)| start.map(|row| Mark { label: String::new(), x: row[x], y: row[y] }))
+                    .filter_map(|&(x, y)| {
+                        start.map(|row| Mark { label: String::new(), x: row[x], y: row[y] })
+                    })
                     .collect(),
                 ..Panel::default()
             }

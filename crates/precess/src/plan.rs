@@ -5,7 +5,9 @@ use crate::scenario::Scenario;
 use crate::value::Value;
 use crate::{catalogue, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
-use precess_system::{AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values};
+use precess_system::{
+    AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
+};
 
 /// How the method steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -186,7 +188,10 @@ impl Plan {
                     };
                     let x = number("")?;
                     if !(known.low <= x && x <= known.high) {
-                        return input(format!("{option} lies between {} and {}, not at {x}", known.low, known.high));
+                        return input(format!(
+                            "{option} lies between {} and {}, not at {x}",
+                            known.low, known.high
+                        ));
                     }
                     self.options.set(option, x);
                 }
@@ -194,11 +199,17 @@ impl Plan {
         }
         self.step = match method.kind {
             Kind::Fixed if rtol.is_some() || atol.is_some() => {
-                return input(format!("method '{}' takes steps of fixed length: give dt, not rtol or atol", method.id));
+                return input(format!(
+                    "method '{}' takes steps of fixed length: give dt, not rtol or atol",
+                    method.id
+                ));
             }
             Kind::Fixed => Step::Fixed(positive("dt", dt.unwrap_or(self.card.defaults.dt))?),
             Kind::Adaptive if dt.is_some() => {
-                return input(format!("method '{}' chooses its own steps: give rtol and atol, not dt", method.id));
+                return input(format!(
+                    "method '{}' chooses its own steps: give rtol and atol, not dt",
+                    method.id
+                ));
             }
             Kind::Adaptive => tolerances(rtol.unwrap_or(1e-10), atol.unwrap_or(1e-10))?,
         };
@@ -219,12 +230,14 @@ impl Plan {
             return input(format!("every ({} s) is longer than the run ({} s)", self.every, until.abs()));
         }
         let samples = until.abs() / self.every;
-        if !(samples <= MOST_SAMPLES) {
-            return input(format!("{samples:.1e} samples are too many: make 'every' longer (at most 1e8 samples)"));
+        if samples > MOST_SAMPLES {
+            return input(format!(
+                "{samples:.1e} samples are too many: make 'every' longer (at most 1e8 samples)"
+            ));
         }
         if let Step::Fixed(dt) = self.step {
             let steps = until.abs() / dt;
-            if !(steps <= MOST_STEPS) {
+            if steps > MOST_STEPS {
                 return input(format!("{steps:.1e} steps of {dt} s would take years: make dt longer"));
             }
         }
@@ -242,7 +255,7 @@ fn tolerances(rtol: f64, atol: f64) -> Result<Step, Error> {
             return input(format!("{name} lies between 0 and 1, not at {x}"));
         }
     }
-    if rtol < 1e-15 && atol == 0.0 || rtol == 0.0 && atol == 0.0 {
+    if rtol < 1e-15 && atol == 0.0 {
         return input("rtol below 1e-15 needs an atol above zero: no f64 is more accurate than that");
     }
     Ok(Step::Adaptive { rtol, atol })

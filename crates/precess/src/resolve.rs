@@ -16,12 +16,15 @@ pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Value
         };
         let parameter = &card.parameters[index];
         // Each kind of parameter is stored in its own list, in the order of the card.
-        let same_kind = |p: &&Parameter| std::mem::discriminant(&p.default) == std::mem::discriminant(&parameter.default);
+        let same_kind =
+            |p: &&Parameter| std::mem::discriminant(&p.default) == std::mem::discriminant(&parameter.default);
         let place = card.parameters[..index].iter().filter(same_kind).count();
         let at = |e: Error| e.at(name);
         match &parameter.default {
             Default::Number(_) => values.numbers[place] = in_range(parameter, value).map_err(at)?,
-            Default::List { fields, .. } => values.lists[place].items = items(parameter, fields, value).map_err(at)?,
+            Default::List { fields, .. } => {
+                values.lists[place].items = items(parameter, fields, value).map_err(at)?;
+            }
             Default::Choice(options) => values.choices[place] = option(options, value).map_err(at)?,
         }
     }

@@ -99,7 +99,10 @@ impl Scenario {
             Some(FORMAT) => {}
             None => return input("the line 'precess = 1' is missing: it says which format this is"),
             Some(other) => {
-                return input(format!("format {} is not known here, only {FORMAT}: it needs another Precess", quoted(other)));
+                return input(format!(
+                    "format {} is not known here, only {FORMAT}: it needs another Precess",
+                    quoted(other)
+                ));
             }
         }
         if scenario.system.is_empty() {
@@ -170,7 +173,9 @@ impl FigureSpec {
                 "x" => figure.x = Some(word(value)?),
                 "y" => {
                     figure.y = match value {
-                        DeValue::Array(names) => names.iter().map(|n| word(n.get_ref())).collect::<Result<_, _>>()?,
+                        DeValue::Array(names) => {
+                            names.iter().map(|n| word(n.get_ref())).collect::<Result<_, _>>()?
+                        }
                         one => vec![word(one)?],
                     }
                 }
@@ -231,7 +236,9 @@ fn read(value: &DeValue) -> Result<Value, Error> {
         DeValue::Float(x) => number(x.as_str(), 10),
         DeValue::String(text) => value::parse(text),
         DeValue::Boolean(flag) => Ok(Value::Word(flag.to_string())),
-        DeValue::Array(items) => items.iter().map(|i| read(i.get_ref())).collect::<Result<_, _>>().map(Value::List),
+        DeValue::Array(items) => {
+            items.iter().map(|i| read(i.get_ref())).collect::<Result<_, _>>().map(Value::List)
+        }
         other => kind("a number, a text or a list", other),
     }
 }

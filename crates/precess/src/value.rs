@@ -61,7 +61,7 @@ pub fn parse(text: &str) -> Result<Value, Error> {
     });
     value.map_err(|e| match e {
         Error::Input(why) => Error::Input(format!("{} is no value: {why}", quoted(text))),
-        other => other,
+        Error::File(why) => Error::File(why),
     })
 }
 
@@ -147,7 +147,8 @@ impl Reader<'_> {
         let x = self.sum()?;
         self.skip_spaces();
         let end = self.text[self.at..].find([']', ';', '[']).map_or(self.text.len(), |n| self.at + n);
-        let end = if self.commas { self.text[self.at..end].find(',').map_or(end, |n| self.at + n) } else { end };
+        let end =
+            if self.commas { self.text[self.at..end].find(',').map_or(end, |n| self.at + n) } else { end };
         let unit = self.text[self.at..end].trim();
         if unit.is_empty() {
             return finite(x).map(Value::number);
@@ -224,7 +225,7 @@ impl Reader<'_> {
 
     /// Digits with a decimal point (or comma) and an exponent.
     fn literal(&mut self) -> Result<f64, Error> {
-        let rest = self.text[self.at..].as_bytes();
+        let rest = &self.text.as_bytes()[self.at..];
         let digits = |from: usize| rest[from..].iter().take_while(|b| b.is_ascii_digit()).count();
         let mut end = digits(0);
         let mut any = end > 0;

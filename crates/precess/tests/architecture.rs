@@ -16,7 +16,18 @@ const EDGES: [(&str, &[&str]); 6] = [
 fn dependencies(package: &str) -> Vec<String> {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".into());
     let output = Command::new(cargo)
-        .args(["tree", "--offline", "--package", package, "--depth", "1", "--prefix", "none", "--edges", "normal,build,dev"])
+        .args([
+            "tree",
+            "--offline",
+            "--package",
+            package,
+            "--depth",
+            "1",
+            "--prefix",
+            "none",
+            "--edges",
+            "normal,build,dev",
+        ])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .expect("cargo runs");
@@ -37,7 +48,11 @@ fn imports_point_one_way() {
     for (package, allowed) in EDGES {
         let found = dependencies(package);
         assert_eq!(forbidden(package, &found, allowed), None);
-        assert_eq!(found.iter().filter(|n| allowed.contains(&n.as_str())).count(), allowed.len(), "{package}");
+        assert_eq!(
+            found.iter().filter(|n| allowed.contains(&n.as_str())).count(),
+            allowed.len(),
+            "{package}"
+        );
     }
 }
 

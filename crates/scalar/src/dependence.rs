@@ -167,6 +167,7 @@ pub struct Truth(Dependence);
 
 impl std::ops::BitAnd for Truth {
     type Output = Self;
+    #[allow(clippy::suspicious_arithmetic_impl)] // Truth values are 0 and 1: their product is "and".
     fn bitand(self, o: Self) -> Self {
         Self(self.0 * o.0)
     }

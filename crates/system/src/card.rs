@@ -1,7 +1,7 @@
 //! What a system says of itself: names, units, defaults, texts, source.
 
-use crate::{Coordinate, Parameter, Quantity, Text};
 use crate::quantity::quantity;
+use crate::{Coordinate, Parameter, Quantity, Text};
 
 /// Which way an event function passes through zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

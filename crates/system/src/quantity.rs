@@ -39,8 +39,8 @@ pub struct Quantity {
 }
 
 const GREEK: [&str; 23] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi",
-    "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu",
+    "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma",
 ];
 
 /// `theta1` to `\theta_1`, `i3` to `i_3`, `dry` to `\mathrm{dry}`, `x_dot` to `\dot{x}`.

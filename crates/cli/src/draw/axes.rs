@@ -3,12 +3,14 @@
 use precess::figure::Panel;
 
 use super::axis::Axis;
-use super::bounds::{airy, bounds, equalised, runs_rightwards};
+use super::bounds::{airy, bounds, equalised, flushed, runs_rightwards};
 use super::style::TICK;
 use super::text::width;
 
-/// Pixels that one interval of the horizontal and of the vertical axis should about have.
-const PITCH: (f64, f64) = (95.0, 44.0);
+/// Pixels that one interval of a horizontal axis should about have.
+const PITCH: f64 = 64.0;
+/// And those of a plane.
+const PITCH_PLANE: f64 = 50.0;
 
 /// The axes of a panel.
 #[derive(Clone, Debug)]
@@ -24,20 +26,19 @@ pub struct Axes {
 /// Ranges, ticks and steps of a panel in a box of `wide` by `high` pixels.
 pub fn axes(panel: &Panel, wide: f64, high: f64) -> Axes {
     let found = bounds(panel);
-    let (ticks_x, ticks_y) = (wide / PITCH.0, (high / PITCH.1).max(2.0));
     if panel.equal_scales && !panel.logarithmic {
         return plane(found, wide, high);
     }
     let [a, b, c, d] = found.unwrap_or([0.0, 1.0, if panel.logarithmic { 1.0 } else { 0.0 }, 1.0]);
     let air = if runs_rightwards(panel) { 0.0 } else { 0.04 };
     let (a, b) = airy(a, b, air);
-    let mut x = Axis::linear(a, b, ticks_x);
+    let mut x = Axis::linear(a, b, wide / PITCH);
     x.spread(wide, |s| width(s, TICK));
     let y = if panel.logarithmic {
         Axis::decades(c, d, (high / 26.0).max(2.0))
     } else {
         let (c, d) = airy(c, d, 0.07);
-        Axis::linear(c, d, ticks_y)
+        Axis::linear(c, d, high / (28.0 + high / 25.0))
     };
     Axes { x, y, filled: found.is_some() }
 }
@@ -46,9 +47,9 @@ pub fn axes(panel: &Panel, wide: f64, high: f64) -> Axes {
 fn plane(found: Option<[f64; 4]>, wide: f64, high: f64) -> Axes {
     let [x, y] = extents(found);
     let [a, b, c, d] = equalised(x, y, wide, high);
-    let mut x = Axis::linear(a, b, wide / 80.0);
+    let mut x = Axis::linear(a, b, wide / PITCH_PLANE);
     x.spread(wide, |s| width(s, TICK));
-    let mut y = Axis::linear(c, d, high / 80.0);
+    let mut y = Axis::linear(c, d, high / PITCH_PLANE);
     if x.note().is_empty() && y.note().is_empty() {
         y.step = y.local(x.value(x.step));
     }
@@ -57,7 +58,7 @@ fn plane(found: Option<[f64; 4]>, wide: f64, high: f64) -> Axes {
 
 /// The ranges of a plane, with air; a line or a point gets a neighbourhood.
 fn extents(found: Option<[f64; 4]>) -> [(f64, f64); 2] {
-    let [a, b, c, d] = found.unwrap_or([-1.0, 1.0, -1.0, 1.0]);
+    let [a, b, c, d] = found.unwrap_or([-1.0, 1.0, -1.0, 1.0]).map(flushed);
     if b > a || d > c {
         let air = 0.06 * (b - a).max(d - c);
         return [(a - air, b + air), (c - air, d + air)];

@@ -17,6 +17,8 @@ pub struct Axis {
     logarithmic: bool,
     offset: f64,
     power: i32,
+    /// Ten to the power.
+    unit: f64,
     /// Visible range, in local numbers.
     pub lo: f64,
     /// Upper end.
@@ -32,10 +34,9 @@ impl Axis {
         let (low, high) = (lo - offset, hi - offset);
         let lead = exponent(low.abs().max(high.abs()));
         let power = if (-3..6).contains(&lead) { 0 } else { lead };
-        let mut axis = Self { logarithmic: false, offset, power, lo: 0.0, hi: 1.0, step: 1.0 };
-        (axis.lo, axis.hi) = (axis.local(lo), axis.local(hi));
-        axis.step = nice_step((axis.hi - axis.lo) / ticks);
-        axis
+        let unit = power_of_ten(power);
+        let (lo, hi) = (low / unit, high / unit);
+        Self { logarithmic: false, offset, power, unit, lo, hi, step: nice_step((hi - lo) / ticks) }
     }
 
     /// An axis in decades over the positive range `lo..hi`, from one power of ten to another.
@@ -43,7 +44,7 @@ impl Axis {
         let (low, high) = ((lo.log10() + 0.02).floor(), (hi.log10() - 0.02).ceil());
         let high = if high > low { high } else { low + 1.0 };
         let step = nice_step((high - low) / ticks).max(1.0);
-        Self { logarithmic: true, offset: 0.0, power: 0, lo: low, hi: high, step }
+        Self { logarithmic: true, offset: 0.0, power: 0, unit: 1.0, lo: low, hi: high, step }
     }
 
     /// The local number of a datum; NaN for what this axis cannot show.
@@ -54,12 +55,12 @@ impl Axis {
         if self.logarithmic {
             return if value > 0.0 { value.log10() } else { f64::NAN };
         }
-        (value - self.offset) / 10f64.powi(self.power)
+        (value - self.offset) / self.unit
     }
 
     /// The length in data of a local length.
     pub fn value(&self, local: f64) -> f64 {
-        local * 10f64.powi(self.power)
+        local * self.unit
     }
 
     /// The ticks, in local numbers.
@@ -108,7 +109,7 @@ impl Axis {
     }
 }
 
-/// A round number near the middle of a range too narrow for its own magnitude, else zero.
+/// The number with the fewest digits close to a range too narrow for its own magnitude, else zero.
 fn offset(lo: f64, hi: f64) -> f64 {
     let size = lo.abs().max(hi.abs());
     let span = hi - lo;
@@ -117,5 +118,12 @@ fn offset(lo: f64, hi: f64) -> f64 {
     }
     let middle = lo + 0.5 * span;
     let digits = exponent(size) - exponent(span);
-    format!("{middle:.*e}", digits.clamp(0, 17) as usize).parse().unwrap_or(middle)
+    let rounded = |digits: i32| format!("{middle:.*e}", digits.clamp(0, 17) as usize).parse::<f64>();
+    let near = |&o: &f64| o >= lo - 0.5 * span && o <= hi + 0.5 * span;
+    (digits - 1..=digits + 1).filter_map(|d| rounded(d).ok()).find(near).unwrap_or(middle)
+}
+
+/// The nearest double to a power of ten, where repeated multiplication would be a little off.
+fn power_of_ten(power: i32) -> f64 {
+    format!("1e{power}").parse().unwrap_or(1.0)
 }

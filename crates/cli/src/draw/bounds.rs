@@ -23,13 +23,23 @@ pub fn drawable(panel: &Panel, x: f64, y: f64) -> bool {
 
 /// Every curve runs to the right: a function of time, whose axis needs no room at its ends.
 pub fn runs_rightwards(panel: &Panel) -> bool {
-    panel.curves.iter().all(|c| c.x.windows(2).all(|w| w[1] >= w[0] || w[1].is_nan() || w[0].is_nan()))
+    let rightwards = |xs: &[f64]| xs.iter().filter(|x| x.is_finite()).is_sorted();
+    !panel.curves.is_empty() && panel.curves.iter().all(|c| rightwards(&c.x))
+}
+
+/// Below this, a number is zero for the eye and a difference is none.
+const SMALLEST: f64 = 1e-300;
+
+/// Zero for what is too small to be told from it.
+pub fn flushed(v: f64) -> f64 {
+    if v.abs() < SMALLEST { 0.0 } else { v }
 }
 
 /// A range with some air; a single value gets room on both sides, in proportion to itself.
 pub fn airy(lo: f64, hi: f64, air: f64) -> (f64, f64) {
+    let (lo, hi) = (flushed(lo), flushed(hi));
     let span = hi - lo;
-    let room = if span > 0.0 {
+    let room = if span > SMALLEST {
         air * span
     } else if lo == 0.0 {
         1.0
@@ -41,7 +51,9 @@ pub fn airy(lo: f64, hi: f64, air: f64) -> (f64, f64) {
 
 /// Both ranges widened about their middles until one unit takes as many pixels on either axis.
 pub fn equalised(x: (f64, f64), y: (f64, f64), width: f64, height: f64) -> [f64; 4] {
-    let unit = ((x.1 - x.0) / width).max((y.1 - y.0) / height);
+    // A unit that the coordinates themselves cannot resolve would leave an axis without extent.
+    let coarse = [x.0, x.1, y.0, y.1].into_iter().fold(0.0f64, |a, v| a.max(v.abs())) * 1e-14;
+    let unit = ((x.1 - x.0) / width).max((y.1 - y.0) / height).max(coarse);
     let around = |(lo, hi): (f64, f64), pixels: f64| {
         let (middle, half) = (lo + 0.5 * (hi - lo), 0.5 * unit * pixels);
         (middle - half, middle + half)

@@ -46,7 +46,8 @@ impl Header {
     /// Pixels from the top of the title to the box.
     pub fn height(&self) -> f64 {
         let title = if self.title.is_empty() { 0.0 } else { TITLE_LINE };
-        let label = if self.label.is_empty() && !(self.beside && !self.names.is_empty()) { 0.0 } else { LINE };
+        let bare = self.label.is_empty() && (self.names.is_empty() || !self.beside);
+        let label = if bare { 0.0 } else { LINE };
         title + label + LINE * self.own_lines() as f64 + GAP
     }
 
@@ -82,25 +83,26 @@ fn extent(name: &str) -> f64 {
 
 /// Names filled into lines; what exceeds the last one is counted there.
 fn lines(named: Vec<(usize, String)>, room: f64) -> Vec<Vec<(usize, String)>> {
-    let mut lines: Vec<Vec<(usize, String)>> = vec![Vec::new()];
-    let (mut used, mut left) = (0.0, named.len());
+    let (count, mut used) = (named.len(), 0.0);
+    let mut lines: Vec<Vec<(usize, String)>> = Vec::new();
     for (index, name) in named {
         let wide = extent(&name);
-        if used > 0.0 && used + wide > room + AROUND {
-            if lines.len() == LINES {
-                break;
+        let full = lines.len() == LINES;
+        match lines.last_mut() {
+            Some(line) if used + wide <= room + AROUND => line.push((index, name)),
+            _ if full => break,
+            _ => {
+                lines.push(vec![(index, name)]);
+                used = 0.0;
             }
-            lines.push(Vec::new());
-            used = 0.0;
         }
         used += wide;
-        left -= 1;
-        lines.last_mut().into_iter().for_each(|l| l.push((index, name.clone())));
     }
-    if left > 0
+    let shown: usize = lines.iter().map(Vec::len).sum();
+    if shown < count
         && let Some((_, name)) = lines.last_mut().and_then(|l| l.last_mut())
     {
-        *name = format!("and {} more", left + 1);
+        *name = format!("and {} more", count - shown + 1);
     }
     lines
 }

@@ -80,8 +80,7 @@ pub fn sheet(figure: &Figure, top: f64) -> Sheet<'_> {
     let count = columns(panels);
     let cell = ((width - 2.0 * MARGIN - GUTTER * (count - 1) as f64) / count as f64).floor();
     let guess = cell - 52.0;
-    let heights: Vec<f64> =
-        panels.chunks(count).map(|row| height(row, count, panels.len(), guess)).collect();
+    let heights: Vec<f64> = panels.chunks(count).map(|row| height(row, count, panels.len(), guess)).collect();
     let rooms = rooms(panels, count, guess, &heights);
     let mut sheet = Sheet { width, bottom: top, placed: Vec::new() };
     for (row, &high) in panels.chunks(count).zip(&heights) {

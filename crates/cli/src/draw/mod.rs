@@ -22,5 +22,5 @@ mod thin;
 #[cfg(test)]
 mod tests;
 
-pub use page::svg;
 pub use self::png::png;
+pub use page::svg;

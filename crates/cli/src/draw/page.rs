@@ -7,7 +7,7 @@ use precess::figure::Figure;
 use super::layout::{page_width, sheet};
 use super::panel;
 use super::style::{FAMILY, INK, MARGIN, PAPER, SOFT, SUBTITLE, TITLE};
-use super::text::{line, wrap, writable};
+use super::text::{fitting, line, wrap, writable};
 
 const TITLE_LINE: f64 = 27.0;
 const SUBTITLE_LINE: f64 = 17.0;
@@ -44,11 +44,11 @@ fn scene(figure: &Figure) -> Scene {
     let mut y = MARGIN - 8.0;
     for text in &titles {
         y += TITLE_LINE;
-        scene.add(line(MARGIN, y - 8.0, text, TITLE, TextAnchor::Start, INK));
+        scene.add(line(MARGIN, y - 8.0, text, fitting(text, TITLE, room), TextAnchor::Start, INK));
     }
     for text in &subtitles {
         y += SUBTITLE_LINE;
-        scene.add(line(MARGIN, y - 4.0, text, SUBTITLE, TextAnchor::Start, SOFT));
+        scene.add(line(MARGIN, y - 4.0, text, fitting(text, SUBTITLE, room), TextAnchor::Start, SOFT));
     }
     for placed in &sheet.placed {
         panel::draw(&mut scene, placed, page);

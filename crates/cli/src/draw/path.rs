@@ -6,18 +6,19 @@ use super::style::{CURVE, CURVE_DENSE};
 use super::text::quarter;
 use super::thin::{Point, thinned};
 
-/// Points that a curve of full width may have after thinning.
-const DENSE: usize = 12_000;
+/// Points that a curve of full width, and of the next one, may have after thinning.
+const DENSE: [usize; 2] = [12_000, 40_000];
 
 /// One primitive of a panel as it goes onto the page; clips fall away, for ranges hold all data.
 pub fn tidied(primitive: Primitive) -> Option<Primitive> {
     match primitive {
-        Primitive::PolyLine { points, stroke, stroke_dasharray, .. } => {
+        Primitive::PolyLine { points, stroke: ink, stroke_dasharray, .. } => {
             let runs = thinned(&points);
             let count: usize = runs.iter().map(Vec::len).sum();
-            let stroke_width = if count > DENSE { CURVE_DENSE } else { CURVE };
+            let dots = runs.iter().all(|run| run.len() == 1);
+            let stroke_width = if dots { dot(count) } else { stroke(count) };
             let d = described(&runs);
-            let path = PathData { d, fill: None, stroke, stroke_width, opacity: None, stroke_dasharray };
+            let path = PathData { d, fill: None, stroke: ink, stroke_width, opacity: None, stroke_dasharray };
             (count > 0).then(|| Primitive::Path(Box::new(path)))
         }
         Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray } => {
@@ -30,6 +31,27 @@ pub fn tidied(primitive: Primitive) -> Option<Primitive> {
         }
         Primitive::ClipStart { .. } | Primitive::ClipEnd => None,
         other => Some(other),
+    }
+}
+
+/// The width of a curve with so many points.
+fn stroke(count: usize) -> f64 {
+    let [dense, denser] = DENSE.map(|limit| count > limit);
+    if denser {
+        CURVE_DENSE[1]
+    } else if dense {
+        CURVE_DENSE[0]
+    } else {
+        CURVE
+    }
+}
+
+/// The diameter of the dots when no two points are joined, as in a section.
+fn dot(count: usize) -> f64 {
+    match count {
+        0..=60 => 5.0,
+        61..=3000 => 2.2,
+        _ => 1.1,
     }
 }
 

@@ -44,10 +44,10 @@ pub const LABEL: u32 = 12;
 /// Numbers at the ticks.
 pub const TICK: u32 = 11;
 
-/// Width of a curve, and of one with so many points that it would become a blot.
+/// Width of a curve.
 pub const CURVE: f64 = 1.5;
-/// See [`CURVE`].
-pub const CURVE_DENSE: f64 = 0.7;
+/// Width of a curve with so many points that it would become a blot, and with still more.
+pub const CURVE_DENSE: [f64; 2] = [0.8, 0.5];
 
 /// The library's theme with these colours.
 pub fn theme() -> Theme {

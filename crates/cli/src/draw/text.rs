@@ -5,7 +5,7 @@ use resvg::usvg::fontdb;
 use skrifa::MetadataProvider;
 use skrifa::instance::{LocationRef, Size};
 
-/// The embedded face: DejaVu, under its free licence. It has Greek, superscripts and dots.
+/// The embedded face: `DejaVu`, under its free licence. It has Greek, superscripts and dots.
 pub fn face() -> &'static [u8] {
     dejavu::sans_condensed::regular()
 }
@@ -30,6 +30,12 @@ pub fn width(text: &str, size: u32) -> f64 {
     let metrics = font.glyph_metrics(Size::new(size as f32), LocationRef::default());
     let advance = |c| letters.map(c).and_then(|glyph| metrics.advance_width(glyph)).map_or(0.0, f64::from);
     text.chars().map(advance).sum()
+}
+
+/// The embedded face has the letter.
+#[cfg(test)]
+pub fn has(c: char) -> bool {
+    skrifa::FontRef::new(face()).is_ok_and(|font| font.charmap().map(c).is_some())
 }
 
 /// Without the control characters that XML forbids; line ends become spaces.
@@ -73,7 +79,14 @@ pub fn line(x: f64, y: f64, text: &str, size: u32, anchor: TextAnchor, colour: &
         code: false,
         math: false,
     };
-    Primitive::RichText { x: quarter(x), y: quarter(y), spans: vec![span], size, anchor, color: Some(colour.into()) }
+    Primitive::RichText {
+        x: quarter(x),
+        y: quarter(y),
+        spans: vec![span],
+        size,
+        anchor,
+        color: Some(colour.into()),
+    }
 }
 
 /// Quarters of a pixel: exact in binary, so that they are written short.

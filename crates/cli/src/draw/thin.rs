@@ -6,8 +6,6 @@
 //! column (so no peak is lost); a point closer than 0.3 pixel to the last one kept is left out; and
 //! in very long curves a segment that lies wholly on ink of the same curve is not drawn again.
 
-use std::collections::HashSet;
-
 /// A point on the page.
 pub type Point = (f64, f64);
 
@@ -17,6 +15,8 @@ const NEAR: f64 = 0.3;
 const COLUMNS: f64 = 2.0;
 /// Curves that keep more points than this are thinned by their ink.
 const LONG: usize = 30_000;
+/// Cells per pixel in which that ink is noted.
+const CELLS: f64 = 2.0;
 
 /// Pieces of a curve between interruptions, thinned.
 pub fn thinned(points: &[Point]) -> Vec<Vec<Point>> {
@@ -63,20 +63,20 @@ fn distant(run: &[Point]) -> Vec<Point> {
     kept
 }
 
-/// Only the segments that touch a pixel which the curve has not yet inked.
+/// Only the segments that touch a cell which the curve has not yet inked.
 fn fresh_ink(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
-    let mut inked = HashSet::new();
+    let mut ink = Ink::new(runs);
     let mut kept: Vec<Vec<Point>> = Vec::new();
     for run in runs {
         if let [p] = run[..] {
-            if inked.insert(pixel(p)) {
+            if ink.touch(p, p) {
                 kept.push(vec![p]);
             }
             continue;
         }
         let mut open = false;
         for w in run.windows(2) {
-            let fresh = touched(w[0], w[1]).fold(false, |new, cell| inked.insert(cell) | new);
+            let fresh = ink.touch(w[0], w[1]);
             match kept.last_mut() {
                 Some(piece) if fresh && open => piece.push(w[1]),
                 _ if fresh => kept.push(vec![w[0], w[1]]),
@@ -88,15 +88,39 @@ fn fresh_ink(runs: &[Vec<Point>]) -> Vec<Vec<Point>> {
     kept
 }
 
-fn pixel(p: Point) -> (i64, i64) {
-    (p.0.floor() as i64, p.1.floor() as i64)
+/// Which half-pixel cells of the curve's own rectangle carry ink.
+struct Ink {
+    left: f64,
+    top: f64,
+    wide: usize,
+    high: usize,
+    cells: Vec<bool>,
 }
 
-/// The pixels along a segment, sampled every half pixel.
-fn touched(a: Point, b: Point) -> impl Iterator<Item = (i64, i64)> {
-    let steps = ((b.0 - a.0).hypot(b.1 - a.1) * 2.0).ceil().clamp(1.0, 1e5);
-    (0..=steps as i64).map(move |i| {
-        let s = i as f64 / steps;
-        pixel((a.0 + s * (b.0 - a.0), a.1 + s * (b.1 - a.1)))
-    })
+impl Ink {
+    fn new(runs: &[Vec<Point>]) -> Self {
+        let points = || runs.iter().flatten();
+        let left = points().map(|p| p.0).fold(f64::INFINITY, f64::min);
+        let top = points().map(|p| p.1).fold(f64::INFINITY, f64::min);
+        let right = points().map(|p| p.0).fold(left, f64::max);
+        let bottom = points().map(|p| p.1).fold(top, f64::max);
+        let cells = |from: f64, to: f64| ((to - from) * CELLS).clamp(0.0, 1e4) as usize + 1;
+        let (wide, high) = (cells(left, right), cells(top, bottom));
+        Self { left, top, wide, high, cells: vec![false; wide * high] }
+    }
+
+    /// Inks the cells along a segment, sampled twice in each; true if one of them was bare.
+    fn touch(&mut self, a: Point, b: Point) -> bool {
+        let steps = ((b.0 - a.0).hypot(b.1 - a.1) * 2.0 * CELLS).ceil().clamp(1.0, 1e5);
+        let mut fresh = false;
+        for i in 0..=steps as usize {
+            let s = i as f64 / steps;
+            let column = ((a.0 + s * (b.0 - a.0) - self.left) * CELLS) as usize;
+            let row = ((a.1 + s * (b.1 - a.1) - self.top) * CELLS) as usize;
+            let cell = &mut self.cells[row.min(self.high - 1) * self.wide + column.min(self.wide - 1)];
+            fresh |= !*cell;
+            *cell = true;
+        }
+        fresh
+    }
 }

@@ -37,7 +37,6 @@ impl Method for Dopri5 {
 }
 
 pub(crate) static TABLEAU: Tableau = Tableau {
-    order: 5,
     nodes: &[0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0],
     stages: &[
         &[(0, 1.0 / 5.0)],

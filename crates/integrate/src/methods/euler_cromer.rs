@@ -36,7 +36,11 @@ impl Method for EulerCromer {
         &CARD
     }
     fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
-        Box::new(Steps { pairs: shape.pairs().collect(), rate: vec![S::from(0.0); shape.full()], evaluations: 0 })
+        Box::new(Steps {
+            pairs: shape.pairs().collect(),
+            rate: vec![S::from(0.0); shape.full()],
+            evaluations: 0,
+        })
     }
 }
 
@@ -47,7 +51,14 @@ struct Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence> {
         field.rate(t, y, &mut self.rate);
         self.evaluations += 1;
         for i in 0..y.len() {

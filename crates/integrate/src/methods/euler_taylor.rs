@@ -62,7 +62,14 @@ struct Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence> {
         field.rate(t, y, &mut self.rate);
         self.evaluations += 1;
         for i in 0..y.len() {

@@ -42,7 +42,14 @@ struct Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence> {
         let half = h * 0.5;
         let [k1, k2, k3, k4] = &mut self.k;
         let along = |out: &mut [S], h: S, k: &[S]| {

@@ -34,7 +34,13 @@ impl Method for Verlet {
     }
     fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
         let zeros = vec![S::from(0.0); shape.full()];
-        Box::new(Steps { pairs: shape.pairs().collect(), start: zeros.clone(), end: zeros, warm: false, evaluations: 0 })
+        Box::new(Steps {
+            pairs: shape.pairs().collect(),
+            start: zeros.clone(),
+            end: zeros,
+            warm: false,
+            evaluations: 0,
+        })
     }
 }
 
@@ -49,7 +55,14 @@ struct Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S]) -> Result<(), NoConvergence> {
+    fn step(
+        &mut self,
+        field: &dyn Field<S>,
+        t: S,
+        y: &[S],
+        h: S,
+        out: &mut [S],
+    ) -> Result<(), NoConvergence> {
         if !self.warm {
             field.rate(t, y, &mut self.start);
             self.evaluations += 1;

@@ -29,6 +29,12 @@ impl System for NBody {
 
     fn check(&self, s: &State<f64>) -> Result<(), String> {
         let masses = s.list(0);
+        if let Some((i, m)) = masses.iter().enumerate().find(|&(_, &m)| m < 0.0) {
+            return Err(format!("the mass of body {i} is {m}: a mass is not negative"));
+        }
+        if !masses.iter().any(|&m| m > 0.0) {
+            return Err("at least one body must have a mass".into());
+        }
         if masses.len() > MOST_BODIES {
             return Err(format!(
                 "{} bodies are too many for a sum over all pairs: at most {MOST_BODIES}",
@@ -53,12 +59,12 @@ impl System for NBody {
         highest.fill(S::from(0.0));
         for j in 0..masses.len() {
             for i in 0..j {
-                let (towards, cube) = separation(s.coordinates, dimensions, i, j, softening);
-                let pull = k / cube;
-                for axis in 0..dimensions {
+                let (towards, distance) = separation(s.coordinates, dimensions, i, j, softening);
+                let pull = k / (distance * distance * distance);
+                for (axis, &d) in towards[..dimensions].iter().enumerate() {
                     let (a, b) = (i * dimensions + axis, j * dimensions + axis);
-                    highest[a] = highest[a] + pull * masses[j] * towards[axis];
-                    highest[b] = highest[b] - pull * masses[i] * towards[axis];
+                    highest[a] = highest[a] + pull * masses[j] * d;
+                    highest[b] = highest[b] - pull * masses[i] * d;
                 }
             }
         }
@@ -99,7 +105,7 @@ impl System for NBody {
     }
 }
 
-/// From body i to body j, and the cube of the softened distance.
+/// From body i to body j, and the softened distance.
 fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softening: S) -> ([S; 3], S) {
     let mut towards = [S::from(0.0); 3];
     let mut square = softening * softening;
@@ -107,7 +113,7 @@ fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softeni
         towards[axis] = q[j * dimensions + axis] - q[i * dimensions + axis];
         square = square + towards[axis] * towards[axis];
     }
-    (towards, square * square.sqrt())
+    (towards, square.sqrt())
 }
 
 fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
@@ -124,8 +130,8 @@ fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
         let square = velocity[0].squared() + velocity[1].squared() + velocity[2].squared();
         kinetic = kinetic + masses[j] * square * 0.5;
         for i in 0..j {
-            let (_, cube) = separation(s.coordinates, dimensions, i, j, softening);
-            potential = potential - k * masses[i] * masses[j] / cube.cbrt();
+            let (_, distance) = separation(s.coordinates, dimensions, i, j, softening);
+            potential = potential - k * masses[i] * masses[j] / distance;
         }
     }
     (kinetic, potential)

@@ -1,6 +1,6 @@
 //! A wheel with eight buckets under a stream of water (P, exercise 8).
 //!
-//! Bucket i hangs at the angle theta_i = theta + i pi / 4 from the downward vertical; M is all the water.
+//! Bucket i hangs at the angle `theta_i = theta + i pi / 4` from the downward vertical; M is all the water.
 //!
 //!     theta'' = -k (sum of m_i sin theta_i) / M - gamma theta' / M      the wheel rests while M <= threshold
 //!     m_i'    = inflow           for the bucket under the stream (within `window` of the top)
@@ -15,15 +15,14 @@
 //! P gives no units: all numbers are pure here. `malkus_waterwheel` is the wheel with infinitely many leaking
 //! buckets; this one is driven by the emptying of the full ones.
 
+use super::noria_card::{self, BUCKETS};
 use precess_scalar::Scalar;
-use precess_system::{Card, Direction, State, System, card, coordinate, number};
+use precess_system::{Card, State, System};
 use std::f64::consts::PI;
 
 /// See the module.
 #[derive(Clone)]
 pub struct Noria;
-
-const BUCKETS: usize = 8;
 
 /// What a bucket does: its mode.
 const EVAPORATING: f64 = -1.0;
@@ -32,13 +31,13 @@ const RESTING: f64 = 0.0;
 const SPARED: f64 = 1.0;
 const FILLING: f64 = 2.0;
 
-/// Places in the full state: theta, the masses, theta_dot, a mode a bucket, whether the wheel turns.
+/// Places in the full state: theta, the masses, `theta_dot`, a mode a bucket, whether the wheel turns.
 const MASS: usize = 1;
 const VELOCITY: usize = MASS + BUCKETS;
 const MODE: usize = VELOCITY + 1;
 const TURNING: usize = MODE + BUCKETS;
 
-/// The events, in groups of one a bucket; then one for the wheel.
+/// The events in the order of the card: in groups of one a bucket, then those of the wheel.
 const ENTERS: usize = 0;
 const LEAVES: usize = 1;
 const FULL: usize = 2;
@@ -64,13 +63,13 @@ fn sum<S: Scalar>(numbers: [S; BUCKETS]) -> S {
     numbers[1..].iter().fold(numbers[0], |sum, &x| sum + x)
 }
 
-/// The moment of the water's weight about the axle: the sum of m_i sin theta_i.
+/// The moment of the water's weight about the axle: the sum of `m_i sin theta_i`.
 fn moment<S: Scalar>(s: &State<S>) -> S {
     let masses = masses(s);
     sum(std::array::from_fn(|i| masses[i] * angle(s, i).sin()))
 }
 
-/// Above zero while the bucket is under the stream: cos(theta_i - pi) - cos(window).
+/// Above zero while the bucket is under the stream: `cos(theta_i - pi) - cos(window)`.
 fn under_stream<S: Scalar>(s: &State<S>, bucket: usize) -> S {
     let [_k, _gamma, _inflow, _capacity, _evaporation, _floor, window] = s.p();
     -angle(s, bucket).cos() - window.cos()
@@ -102,94 +101,9 @@ fn tip<S: Scalar>(bucket: usize, capacity: S, threshold: S, y: &mut [S]) {
     y[VELOCITY] = S::select(enough, y[VELOCITY], zero);
 }
 
-fn parameters(card: Card) -> Card {
-    card.parameter(number("k", "", 50.0, "strength of the weight", "effet du poids"))
-        .parameter(number("gamma", "", 75.0, "friction of the axle", "frottement de l'axe").not_negative())
-        .parameter(
-            number("inflow", "", 1000.0 / 9.0, "water per time", "débit du filet d'eau").not_negative(),
-        )
-        .parameter(
-            number("capacity", "", 800.0 / 9.0, "water that a bucket holds", "contenance d'une cuvette")
-                .positive(),
-        )
-        .parameter(
-            number("evaporation", "", 50.0 / 9.0, "water lost per time", "évaporation par unité de temps")
-                .not_negative(),
-        )
-        .parameter(
-            number("floor", "", 20.0 / 9.0, "water that does not evaporate", "eau qui ne s'évapore pas")
-                .not_negative(),
-        )
-        .parameter(
-            number(
-                "window",
-                "",
-                0.35,
-                "half-width of the stream, in radians",
-                "demi-largeur du filet, en radians",
-            )
-            .within(0.0, PI / 8.0),
-        )
-        .parameter(
-            number(
-                "threshold",
-                "",
-                0.0005,
-                "water below which the wheel rests",
-                "eau sous laquelle la roue reste immobile",
-            )
-            .positive(),
-        )
-}
-
-fn events(mut card: Card) -> Card {
-    let kinds = [
-        ("enters", Direction::Rising, "comes under the stream", "arrive sous le filet d'eau"),
-        ("leaves", Direction::Falling, "leaves the stream", "quitte le filet d'eau"),
-        ("full", Direction::Rising, "is full and empties", "est pleine et se vide"),
-        ("dry", Direction::Falling, "stops evaporating", "cesse de s'évaporer"),
-    ];
-    for (kind, direction, en, fr) in kinds {
-        for i in 0..BUCKETS {
-            let (en, fr) = (format!("bucket {i} {en}"), format!("la cuvette {i} {fr}"));
-            card = card.event(&format!("bucket{i}_{kind}"), direction, &en, &fr);
-        }
-    }
-    card.event("sets_off", Direction::Rising, "enough water to turn", "assez d'eau pour tourner").event(
-        "halts",
-        Direction::Falling,
-        "too little water to turn",
-        "trop peu d'eau pour tourner",
-    )
-}
-
 impl System for Noria {
     fn card(&self) -> Card {
-        let mut card = card("noria", "Noria", "Noria")
-            .about(
-                "A water wheel with eight buckets that fill under a stream, empty when full and dry out slowly: it \
-                 turns one way, then the other, without a rule.",
-                "Une roue à huit cuvettes qui se remplissent sous un filet d'eau, se vident une fois pleines et \
-                 s'assèchent lentement : elle tourne dans un sens, puis dans l'autre, sans règle.",
-            )
-            .source("P, exercise 8, figure 26")
-            .coordinate(coordinate("theta", "", "angle of the wheel", "angle de la roue").start(0.15));
-        for i in 0..BUCKETS {
-            let (en, fr) = (format!("water in bucket {i}"), format!("eau dans la cuvette {i}"));
-            card = card.coordinate(coordinate(&format!("m{i}"), "", &en, &fr).first_order().not_negative());
-        }
-        events(parameters(card))
-            .modes(BUCKETS + 1)
-            .signal("water", "", "water on the wheel", "eau sur la roue")
-            .signal(
-                "moment",
-                "",
-                "moment of the water, sum of m sin theta",
-                "moment de l'eau, somme des m sin theta",
-            )
-            .time_view(&["theta"])
-            .phase_view("theta", "theta_dot")
-            .run(30.0, 0.001)
+        noria_card::card_of_noria()
     }
 
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {

@@ -1,14 +1,14 @@
 //! A top whose axis turns about a fixed point A: T's simple gyroscope (the top of Lagrange).
 //!
 //! In the axes (u, b, a) that follow the top's axis but not its spin, omega = (theta', psi' sin theta, omega3)
-//! with omega3 = psi' cos theta + phi', and L_A' = M_A reads, with I_A1 = i1 + m d^2,
+//! with omega3 = psi' cos theta + phi', and `L_A' = M_A` reads, with `I_A1 = i1 + m d^2`,
 //!
 //!     I_A1 theta''                                  = M1 + psi' sin theta (I_A1 psi' cos theta - i3 omega3)
 //!     I_A1 (psi'' sin theta + psi' theta' cos theta) = M2 + theta' (i3 omega3 - I_A1 psi' cos theta)
 //!     i3 omega3'                                    = M3
 //!
 //! which are T's (10), (11), (12); the weight adds m g d sin theta to M1 and makes them (13), (14), (15).
-//! Energy, the component of L_A along the axis and the one along the vertical are constant (T, 4.5).
+//! Energy, the component of `L_A` along the axis and the one along the vertical are constant (T, 4.5).
 //!
 //! Worth knowing: Euler angles are singular where the axis is vertical; a path may pass close, but a start
 //! there is refused. The default cone (T, 6.1) swings far below the horizontal: a gyroscope in gimbals.

@@ -11,7 +11,7 @@
 //!     phi''   = psi' theta' sin theta - psi'' cos theta
 //!               - omega3 theta' sin theta m R^2 (I3 (alpha - cos theta) + I1 cos theta) / f3           (18)
 //!
-//! and C moves with omega x R k: cx' = R omega_y, cy' = -R omega_x. (T, section 6.2.) A test derives the
+//! and C moves with omega x R k: `cx' = R omega_y`, `cy' = -R omega_x`. (T, section 6.2.) A test derives the
 //! rates again from L' = GA x F in vectors.
 //!
 //! Constant are the energy, Jellett's -L.GA and Routh's omega3 sqrt(f3). The contact lies on the *complete*

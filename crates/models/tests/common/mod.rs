@@ -1,6 +1,8 @@
 //! A system by its id, with its defaults but for what a test says.
+// Each test uses a part of it.
+#![allow(dead_code)]
 
-use precess_system::{AnySystem, Bind, Field, Given, Layout, Values};
+use precess_system::{AnySystem, Field, Given, Layout, Values};
 
 /// A system ready to be evaluated.
 pub struct Ready {

@@ -1,7 +1,7 @@
 //! Random parameters and states of a system, in every layout it has.
 
 use crate::{Any, draw::Draw};
-use precess_scalar::Scalar;
+use precess_scalar::{Scalar, Tape, Traced};
 use precess_system::{AnySystem, Bind, Default, Field, Given, Layout, Range, Values};
 
 /// Parameters and a state.
@@ -122,6 +122,43 @@ impl Case {
             .flat_map(|event| state.iter().map(move |name| format!("{name} after {}", event.name)));
         let lagrangian = "the Lagrangian".to_string();
         rates.chain(observables).chain(events).chain(jumps).chain([lagrangian]).collect()
+    }
+}
+
+impl Case {
+    /// All that an equation sees: time, the state, the numeric parameters, the items of the lists.
+    pub fn inputs(&self) -> Vec<f64> {
+        let lists = self.values.lists.iter().flat_map(|list| &list.items);
+        [self.t].iter().chain(&self.y).chain(&self.values.numbers).chain(lists).copied().collect()
+    }
+
+    /// The names of the inputs.
+    pub fn input_names(&self, system: Any) -> Vec<String> {
+        let card = system.card();
+        let state = self.layout.state().into_iter().map(|q| q.name);
+        let modes = (0..self.layout.modes).map(|k| format!("mode{k}"));
+        let numbers = card.parameters.iter().filter(|p| matches!(p.default, Default::Number(_)));
+        let lists = card.parameters.iter().filter(|p| matches!(p.default, Default::List { .. }));
+        let items = lists
+            .zip(&self.values.lists)
+            .flat_map(|(p, list)| (0..list.items.len()).map(|k| format!("{}{k}", p.quantity.name)));
+        let numbers = numbers.map(|p| p.quantity.name.clone());
+        ["t".to_string()].into_iter().chain(state).chain(modes).chain(numbers).chain(items).collect()
+    }
+
+    /// All that the system computes, as an expression in the inputs.
+    pub fn tape(&self, system: Any) -> Tape {
+        let (numbers, full) = (self.values.numbers.len(), self.y.len());
+        Tape::record(self.inputs().len(), |x| {
+            let (state, parameters) = x[1..].split_at(full);
+            let (first, rest) = parameters.split_at(numbers);
+            let mut values = self.values.map(|_| Traced::from(0.0));
+            values.numbers = first.to_vec();
+            let items = values.lists.iter_mut().flat_map(|list| &mut list.items);
+            items.zip(rest).for_each(|(item, &input)| *item = input);
+            let field = Bind::<Traced>::bind(system, values, &self.layout);
+            everything(&*field, x[0], state)
+        })
     }
 }
 

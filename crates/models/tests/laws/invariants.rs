@@ -1,6 +1,6 @@
 //! What a card calls constant is: its derivative along the flow vanishes at random states.
 
-use crate::{Any, cases, cases::Case, finds, holds_for_all};
+use crate::{Any, cases, cases::Case, finds, holds_for_all, within};
 use precess_scalar::Dual;
 use precess_system::{Card, Default, Field, ObservableKind};
 
@@ -19,8 +19,7 @@ pub fn law(system: Any) -> Result<(), String> {
                 set_to_zero(&system.card(), case, when_zero);
                 let (slope, size) = along_the_flow(system, case, k);
                 case.values = drawn;
-                // Not `>`: a NaN breaks the law.
-                if !(slope.abs() <= BOUND * size) {
+                if !within(slope, BOUND * size) {
                     return Err(format!(
                         "{name} is not constant: {slope:e} along the flow, of terms of {size:e}"
                     ));

@@ -2,7 +2,7 @@
 //!
 //!     sum over j of L_{v_i v_j} a_j + L_{v_i q_j} v_j, + L_{v_i t} - L_{q_i} = 0
 
-use crate::{Any, cases, cases::Case, finds, holds_for_all, invariants::set_to_zero};
+use crate::{Any, cases, cases::Case, finds, holds_for_all, invariants::set_to_zero, within};
 use precess_scalar::Dual;
 use precess_system::{Field, ObservableKind};
 
@@ -26,7 +26,7 @@ pub fn law(system: Any) -> Result<(), String> {
             let rate = case.rate(system);
             for (i, coordinate) in case.layout.coordinates.iter().enumerate() {
                 let (residual, size) = euler_lagrange(&*field, case, &rate, i);
-                if !(residual.abs() <= BOUND * size) {
+                if !within(residual, BOUND * size) {
                     let name = &coordinate.quantity.name;
                     return Err(format!(
                         "the equation of {name} is not the Lagrangian's: a residual of {residual:e} among terms of {size:e}"

@@ -33,3 +33,8 @@ fn finds(verdict: &Result<(), String>, words: &[&str]) {
         assert!(fault.contains(word), "the law complains of something else: {fault}");
     }
 }
+
+/// Whether a number is small enough; one that is none is not.
+fn within(x: f64, bound: f64) -> bool {
+    x.abs() <= bound
+}

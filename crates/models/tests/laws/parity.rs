@@ -1,7 +1,7 @@
 //! Every number gives the same: lanes and derivatives to the bit, twice the digits to rounding.
 
-use crate::{Any, cases, cases::Case, cases::everything, finds, holds_for_all};
-use precess_scalar::{Batch, DoubleDouble, Dual, Scalar};
+use crate::{Any, cases, cases::Case, cases::everything, finds, holds_for_all, within};
+use precess_scalar::{Batch, DoubleDouble, Dual, Scalar, Traced};
 use precess_system::{AnySystem, Bind, Field, List, Values};
 
 /// With twice the digits, the outcome may differ as if the inputs were off by this part.
@@ -15,6 +15,7 @@ pub fn law(system: Any) -> Result<(), String> {
         for (case, expected) in group.iter().zip(&plain) {
             dual(system, case, expected)?;
             double_double(system, case, expected)?;
+            traced(system, case, expected)?;
         }
     }
     Ok(())
@@ -70,13 +71,19 @@ fn dual(system: Any, case: &Case, expected: &[f64]) -> Result<(), String> {
     same_bits("a dual number", case, &found, expected)
 }
 
+/// The recorded expression, replayed.
+fn traced(system: Any, case: &Case, expected: &[f64]) -> Result<(), String> {
+    let found = case.tape(system).evaluate(&case.inputs());
+    same_bits("a recorded expression", case, &found, expected)
+}
+
 fn double_double(system: Any, case: &Case, expected: &[f64]) -> Result<(), String> {
     let (field, y) = case.bind(system, DoubleDouble::from);
     let found = everything(&*field, DoubleDouble::from(case.t), &y);
     let sensitivity = sensitivity(system, case);
     for (k, (exact, plain)) in found.iter().zip(expected).enumerate() {
         let error = (*exact - DoubleDouble::from(*plain)).to_f64();
-        if !(error.abs() <= BOUND * (plain.abs() + sensitivity[k])) {
+        if !within(error, BOUND * (plain.abs() + sensitivity[k])) {
             let name = &case.names()[k];
             return Err(format!(
                 "{name} is {plain} with a plain number, off by {error:e} from twice the digits"
@@ -115,11 +122,12 @@ fn every_number_gives_the_same() {
 mod faulty {
     use precess_scalar::Scalar;
     use precess_system::{Card, State, System, card, coordinate};
+    use std::any::TypeId;
 
-    /// A spring that looks at what it computes with: numbers of this size see another stiffness.
+    /// A spring that looks at what it computes with: one kind of number sees another stiffness.
     #[derive(Clone)]
     pub struct Peeking {
-        pub bytes: usize,
+        pub at: fn() -> TypeId,
         pub error: f64,
     }
 
@@ -128,7 +136,7 @@ mod faulty {
             card("peeking", "Peeking", "Curieux").coordinate(coordinate("x", "", "place", "place"))
         }
         fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
-            let error = if size_of::<S>() == self.bytes { self.error } else { 0.0 };
+            let error = if TypeId::of::<S>() == (self.at)() { self.error } else { 0.0 };
             highest[0] = -s.coordinates[0] * (1.0 + error);
         }
     }
@@ -137,12 +145,15 @@ mod faulty {
 #[test]
 fn the_law_finds_a_number_that_differs() {
     use faulty::Peeking;
-    law(&Peeking { bytes: 0, error: 0.0 }).expect("the sound spring passes");
-    finds(&law(&Peeking { bytes: 32, error: f64::EPSILON }), &["rate of x_dot", "4 lanes"]);
-    finds(&law(&Peeking { bytes: 64, error: f64::EPSILON }), &["rate of x_dot", "8 lanes"]);
-    finds(&law(&Peeking { bytes: 16, error: f64::EPSILON }), &["rate of x_dot", "a dual number"]);
-    // A dual number and a double-double have the same size: a plain number that is off shows in both.
-    finds(&law(&Peeking { bytes: 8, error: 1e-12 }), &["rate of x_dot"]);
+    use std::any::TypeId;
+    const LAST_BIT: f64 = f64::EPSILON;
+    let rate = "rate of x_dot";
+    law(&Peeking { at: TypeId::of::<()>, error: 0.0 }).expect("the sound spring passes");
+    finds(&law(&Peeking { at: TypeId::of::<Batch<4>>, error: LAST_BIT }), &[rate, "4 lanes"]);
+    finds(&law(&Peeking { at: TypeId::of::<Batch<8>>, error: LAST_BIT }), &[rate, "8 lanes"]);
+    finds(&law(&Peeking { at: TypeId::of::<Dual<f64>>, error: LAST_BIT }), &[rate, "a dual number"]);
+    finds(&law(&Peeking { at: TypeId::of::<Traced>, error: LAST_BIT }), &[rate, "a recorded expression"]);
+    finds(&law(&Peeking { at: TypeId::of::<DoubleDouble>, error: 1e-12 }), &[rate, "twice the digits"]);
 }
 
 /// A mask in an equation: [`Scalar::select`] must choose lane by lane.

@@ -6,12 +6,36 @@ use precess_system::{Bind, Default, Order, Values, parse_unit};
 
 pub fn law(system: Any) -> Result<(), String> {
     // Which numbers were drawn does not matter, only how many of them.
-    cases::cases(system)?.iter().filter_map(|group| group.first()).try_for_each(|case| adds_up(system, case))
+    for group in cases::cases(system)? {
+        let case = &group[0];
+        let units = Units::of(system, case)?;
+        adds_up(system, case, &units).map_err(|fault| match culprit(system, case, &units) {
+            Some(expression) => format!("{fault}: {expression}"),
+            None => fault,
+        })?;
+    }
+    Ok(())
 }
 
-fn adds_up(system: Any, case: &Case) -> Result<(), String> {
-    let units = Units::of(system, case)?;
-    let field = Bind::<Unit>::bind(system, units.values, &case.layout);
+/// The first expression whose units do not add up.
+fn culprit(system: Any, case: &Case, units: &Units) -> Option<String> {
+    let tape = case.tape(system);
+    let lists = units.values.lists.iter().flat_map(|list| &list.items);
+    let inputs = [Unit::of(units.time)].into_iter();
+    let inputs: Vec<Unit> =
+        inputs.chain(units.state.iter().chain(&units.values.numbers).chain(lists).copied()).collect();
+    let mut culprit = None;
+    Unit::clash();
+    tape.evaluate_with(&inputs, |node, _| {
+        if Unit::clash().is_some() && culprit.is_none() {
+            culprit = Some(node);
+        }
+    });
+    culprit.map(|node| tape.text_of(node, &case.input_names(system)))
+}
+
+fn adds_up(system: Any, case: &Case, units: &Units) -> Result<(), String> {
+    let field = Bind::<Unit>::bind(system, units.values.clone(), &case.layout);
     let (t, y) = (Unit::of(units.time), &units.state);
 
     let mut rates = y.clone();
@@ -175,6 +199,6 @@ fn the_law_finds_a_wrong_unit() {
     use faulty::{Fault, Spring};
     law(&Spring(Fault::None)).expect("the sound spring passes");
     finds(&law(&Spring(Fault::ForceForAcceleration)), &["derivative of x", "kg m s^-2"]);
-    finds(&law(&Spring(Fault::WrongSum)), &["equations", "m meets m s^-1"]);
+    finds(&law(&Spring(Fault::WrongSum)), &["equations", "m meets m s^-1", "x + x_dot"]);
     finds(&law(&Spring(Fault::WrongEnergy)), &["energy", "m^2 s^-2"]);
 }

@@ -67,6 +67,10 @@ fn sum(r: &mut Recorder, a: u32, b: u32) -> Option<u32> {
         let two = r.literal(2.0);
         return Some(r.push(Node::Binary(Mul, two, a)));
     }
+    // `-x + 1`, which a literal on the right forces on us, reads `1 - x`.
+    if let (Some(inner), Some(_)) = (negated(r, a), r.value(b)) {
+        return Some(r.push(Node::Binary(Sub, b, inner)));
+    }
     negated(r, b).map(|inner| r.push(Node::Binary(Sub, a, inner)))
 }
 
@@ -91,7 +95,8 @@ fn product(r: &mut Recorder, a: u32, b: u32) -> Option<u32> {
             _ => {}
         }
         if let Some(inner) = negated(r, one) {
-            return Some(negative(r, Node::Binary(Mul, inner, other)));
+            let (left, right) = if one == a { (inner, other) } else { (other, inner) };
+            return Some(negative(r, Node::Binary(Mul, left, right)));
         }
         if let Node::Binary(Div, unit, below) = r.node(one)
             && r.value(unit) == Some(1.0)

@@ -26,9 +26,10 @@ pub(super) fn written(x: f64, notation: Notation) -> (Vec<Base>, Vec<Base>) {
         .unwrap_or((vec![Base::Number(x)], Vec::new()))
 }
 
-/// `p / q` times what stands above, without ones.
+/// `p / q` times what stands above, in lowest terms and without ones.
 fn quotient(above: &[Base], p: f64, q: f64) -> (Vec<Base>, Vec<Base>) {
-    let number = |x: f64| (x != 1.0).then_some(Base::Number(x));
+    let shared = divisor(p, q);
+    let number = |x: f64| (x != shared).then_some(Base::Number(x / shared));
     (number(p).into_iter().chain(above.iter().copied()).collect(), number(q).into_iter().collect())
 }
 
@@ -37,14 +38,14 @@ fn multiple_of_pi(x: f64) -> Option<(Vec<Base>, Vec<Base>)> {
     q.into_iter().find_map(|q| {
         let p = (x / PI * q).round();
         let fits = (1.0..=99.0).contains(&p) && (p * PI / q == x || PI / q * p == x);
-        (fits && coprime(p, q)).then(|| quotient(&[Base::Pi], p, q))
+        fits.then(|| quotient(&[Base::Pi], p, q))
     })
 }
 
 fn fraction(x: f64) -> Option<(Vec<Base>, Vec<Base>)> {
     (2..100).map(f64::from).find_map(|q| {
         let p = (x * q).round();
-        let fits = (1.0..1000.0).contains(&p) && p / q == x && coprime(p, q);
+        let fits = (1.0..1000.0).contains(&p) && p / q == x;
         fits.then(|| quotient(&[], p, q))
     })
 }
@@ -55,10 +56,6 @@ fn root(x: f64) -> Option<(Vec<Base>, Vec<Base>)> {
         let fits = (2.0..100.0).contains(&n) && Scalar::sqrt(n) / q == x;
         fits.then(|| quotient(&[Base::Root(n as u32)], 1.0, q))
     })
-}
-
-fn coprime(p: f64, q: f64) -> bool {
-    divisor(p, q) == 1.0
 }
 
 /// The greatest common divisor of two positive integers.

@@ -66,6 +66,7 @@ fn numbers_are_written_as_in_books() {
         (TAU, "2 * pi", r"2\pi"),
         (FRAC_PI_2, "pi / 2", r"\frac{\pi}{2}"),
         (PI / 180.0, "pi / 180", r"\frac{\pi}{180}"),
+        (PI / 90.0, "pi / 90", r"\frac{\pi}{90}"),
         (SQRT_2, "sqrt(2)", r"\sqrt{2}"),
         (Scalar::sqrt(3.0) / 2.0, "sqrt(3) / 2", r"\frac{\sqrt{3}}{2}"),
         (6.674e-11, "6.674e-11", r"6.674 \times 10^{-11}"),

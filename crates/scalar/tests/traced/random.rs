@@ -78,7 +78,7 @@ pub fn expression<S: Scalar>(seed: u64, operations: usize, x: &[S]) -> S {
             31 => {
                 let (high, low) = (a.le(b) & !b.lt(S::from(literal)), a.gt(S::from(1.0)) | b.gt(a));
                 S::select(a.lt(S::from(literal)) & !(high & low), -a, b * 2.0)
-            },
+            }
             32 => a - (b - a * literal),
             _ => a / (b * literal) * (a + b),
         });

@@ -111,6 +111,7 @@ fn simplification_knows_zeros_ones_and_signs() {
     assert_eq!(simple(|x, y| (-x) * y), "-x * y");
     assert_eq!(simple(|x, y| x + -y), "x - y");
     assert_eq!(simple(|x, y| x - -y), "x + y");
+    assert_eq!(simple(|x, y| x * -y + 1.0), "1 - x * y");
     assert_eq!(simple(|x, _| x - x), "0");
     assert_eq!(simple(|x, _| x.powi(1) + x), "2 * x");
     assert_eq!(simple(|x, _| x * x + x.powi(2)), "2 * x^2");

@@ -1,0 +1,213 @@
+//! What a drawing must never do, over figures that invite it.
+
+mod pixels;
+
+use precess::figure::{Curve, Figure, Mark, Panel};
+
+use crate::draw::png::KEYWORD;
+use crate::draw::{png, svg};
+
+fn curve(label: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Curve {
+    let (x, y) = points.into_iter().unzip();
+    Curve { label: label.to_owned(), x, y }
+}
+
+fn panel(curves: Vec<Curve>) -> Panel {
+    Panel { x_label: "t [s]".into(), y_label: "θ [rad]".into(), curves, ..Panel::default() }
+}
+
+fn figure(panels: Vec<Panel>) -> Figure {
+    let scenario = "a = \"<&>\"\r\n# θ̇ ]]> \"quoted\"\n\ttail".to_owned();
+    Figure { title: "A & <b>".into(), subtitle: "1 < 2 $x^2$ $".into(), panels, scenario }
+}
+
+fn sine(n: u32) -> Curve {
+    curve("sine", (0..n).map(|i| f64::from(i) * 0.01).map(|t| (t, t.sin())))
+}
+
+/// Points that have broken plots before.
+fn nasty() -> Vec<Vec<(f64, f64)>> {
+    let nan = f64::NAN;
+    let circle = std::f64::consts::TAU;
+    vec![
+        vec![],
+        vec![(3.0, -2.0)],
+        vec![(0.0, 0.0); 4],
+        vec![(0.0, 1.5), (1.0, 1.5)],
+        vec![(1.0, 0.0), (1.0, 5.0)],
+        vec![(nan, nan), (nan, 1.0)],
+        vec![(0.0, f64::INFINITY), (1.0, f64::NEG_INFINITY)],
+        vec![(-1e300, -1e300), (1e300, 1e300)],
+        vec![(0.0, -f64::MAX), (f64::MAX, f64::MAX)],
+        vec![(0.0, 1e305), (1.0, 1e305)],
+        vec![(5e-324, 5e-324), (1e-323, 2e-320)],
+        vec![(0.0, circle), (1.0, circle.next_up()), (2.0, circle.next_down())],
+        vec![(1e15, -1e-14), (1e15 + 1.0, 1e-14)],
+        vec![(0.0, -1.0), (1.0, 0.0), (2.0, -0.0)],
+        vec![(0.0, 1e-300), (1.0, 1e300)],
+        vec![(1e-12, 3e5), (2e-12, 4e9)],
+    ]
+}
+
+fn variants(points: &[(f64, f64)]) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    for (equal_scales, logarithmic) in [(false, false), (true, false), (false, true), (true, true)] {
+        let marks = points.iter().map(|&(x, y)| Mark { label: "m".into(), x, y }).collect();
+        let bare = panel(vec![curve("c", points.iter().copied())]);
+        let one = Panel { equal_scales, logarithmic, ..bare };
+        let marked = Panel { marks, curves: Vec::new(), ..one.clone() };
+        figures.push(figure(vec![one.clone()]));
+        figures.push(figure(vec![one, marked]));
+    }
+    figures
+}
+
+/// The values of an attribute, in order.
+fn values<'a>(svg: &'a str, attribute: &str) -> Vec<&'a str> {
+    let start = format!(" {attribute}=\"");
+    svg.split(&start).skip(1).filter_map(|rest| rest.split('"').next()).collect()
+}
+
+/// The paths of the curves.
+fn paths(svg: &str) -> Vec<&str> {
+    values(svg, "d")
+}
+
+#[test]
+fn nothing_breaks_a_drawing() {
+    for points in nasty() {
+        for figure in variants(&points) {
+            let drawn = svg(&figure);
+            for forbidden in ["NaN", "inf", "e-"] {
+                let hidden = values(&drawn, "x1").iter().chain(&paths(&drawn)).any(|v| v.contains(forbidden));
+                assert!(!hidden, "{forbidden} for {points:?}");
+            }
+            let tree = resvg::usvg::Tree::from_str(&drawn, &resvg::usvg::Options::default());
+            assert!(tree.is_ok(), "not an SVG for {points:?}: {:?}", tree.err());
+        }
+    }
+    assert!(png(&Figure::default()).is_ok());
+}
+
+#[test]
+fn everything_drawn_stays_on_the_page() {
+    for points in nasty() {
+        for figure in variants(&points) {
+            let drawn = svg(&figure);
+            let size = |a: &str| values(&drawn, a)[0].parse::<f64>().unwrap();
+            let (wide, high) = (size("width"), size("height"));
+            let within = |a: &str, end: f64| {
+                values(&drawn, a).iter().all(|v| (0.0..=end).contains(&v.parse::<f64>().unwrap()))
+            };
+            assert!(within("x1", wide) && within("x2", wide) && within("cx", wide), "{points:?}");
+            assert!(within("y1", high) && within("y2", high) && within("cy", high), "{points:?}");
+        }
+    }
+}
+
+#[test]
+fn every_label_appears() {
+    let mut panels: Vec<Panel> = (0..9).map(|_| panel(vec![sine(100)])).collect();
+    for (i, panel) in panels.iter_mut().enumerate() {
+        panel.title = format!("title <{i}>");
+        panel.x_label = format!("abscissa {i}");
+        panel.y_label = format!("ordinate {i}");
+        panel.marks = vec![Mark { label: format!("mark {i}"), x: 0.5, y: 0.5 }];
+    }
+    for count in 1..=panels.len() {
+        let drawn = svg(&figure(panels[..count].to_vec()));
+        for i in 0..count {
+            for label in [format!("title &lt;{i}&gt;"), format!("abscissa {i}"), format!("ordinate {i}")] {
+                assert!(drawn.contains(&format!(">{label}</text>")), "{label} of {count}");
+            }
+            assert!(drawn.contains(&format!(">mark {i}</text>")));
+        }
+    }
+    assert!(svg(&figure(Vec::new())).contains("1 &lt; 2 $x^2$ $"));
+}
+
+#[test]
+fn names_appear_only_where_curves_must_be_told_apart() {
+    let named = |n: usize| vec![sine(50); n].into_iter().enumerate();
+    let curves = |n| named(n).map(|(i, c)| Curve { label: format!("curve {i}"), ..c }).collect();
+    assert!(!svg(&figure(vec![panel(curves(1))])).contains("curve 0"));
+    let two = svg(&figure(vec![panel(curves(2))]));
+    assert!(two.contains(">curve 0</text>") && two.contains(">curve 1</text>"));
+    assert!(svg(&figure(vec![panel(curves(300))])).contains(" more</text>"));
+}
+
+#[test]
+fn a_point_that_is_not_finite_interrupts_the_curve() {
+    let whole = sine(400);
+    let mut broken = whole.clone();
+    broken.y[200] = f64::NAN;
+    let moves = |c: Curve| paths(&svg(&figure(vec![panel(vec![c])])))[0].matches('M').count();
+    assert_eq!((moves(whole.clone()), moves(broken)), (1, 2));
+    let negative = Panel { logarithmic: true, ..panel(vec![whole]) };
+    assert_eq!(paths(&svg(&figure(vec![negative])))[0].matches('M').count(), 1);
+}
+
+#[test]
+fn a_circle_is_round_where_scales_are_equal() {
+    let circle = curve(
+        "",
+        (0..=360).map(|i| (3e-9 * f64::from(i).to_radians().cos(), 3e-9 * f64::from(i).to_radians().sin())),
+    );
+    let plane = Panel { equal_scales: true, ..panel(vec![circle]) };
+    for panels in [vec![plane.clone()], vec![plane.clone(), panel(vec![sine(300)])], vec![plane; 5]] {
+        let drawn = svg(&figure(panels));
+        let numbers: Vec<f64> = paths(&drawn)[0]
+            .split(['M', 'L', ' '])
+            .filter(|s| !s.is_empty())
+            .map(|s| s.parse().unwrap())
+            .collect();
+        let extent = |offset: usize| {
+            let values = numbers.iter().skip(offset).step_by(2);
+            values.clone().fold(0.0f64, |a, &b| a.max(b)) - values.fold(1e9f64, |a, &b| a.min(b))
+        };
+        assert!((extent(0) - extent(1)).abs() < 0.1 && extent(0) > 100.0, "{} {}", extent(0), extent(1));
+    }
+}
+
+#[test]
+fn ticks_say_what_the_data_are() {
+    let ticks = |points: &[(f64, f64)]| svg(&figure(vec![panel(vec![curve("", points.iter().copied())])]));
+    let drift = ticks(&[(0.0, -2e-12), (1.0, 2e-12)]);
+    assert!(drift.contains(">−1.0×10⁻¹²<") && drift.contains(">0<") && !drift.contains(">-"));
+    let turn = ticks(&[(0.0, 5.2831853 - 1e-14), (1.0, 5.2831853 + 1e-14)]);
+    assert!(turn.contains("θ [rad] − 5.2831853<") && turn.contains("×10⁻¹⁴<"), "{turn}");
+    let late = ticks(&[(1e6, 0.0), (1e6 + 3.0, 1.0)]);
+    assert!(late.contains("t [s] − 1000000<"));
+    let huge = ticks(&[(0.0, 0.0), (1.0, 1e300)]);
+    assert!(huge.contains(">1.0×10³⁰⁰<"));
+}
+
+#[test]
+fn the_same_figure_gives_the_same_bytes() {
+    let figure = figure(vec![panel(vec![sine(500), sine(80)]), panel(vec![sine(9)])]);
+    assert_eq!(svg(&figure), svg(&figure));
+    assert_eq!(png(&figure).unwrap(), png(&figure).unwrap());
+}
+
+#[test]
+fn the_scenario_comes_back_out_of_both() {
+    let figure = figure(vec![panel(vec![sine(50)])]);
+    let drawn = svg(&figure);
+    let metadata = drawn.split("<metadata id=\"precess-scenario\">").nth(1).unwrap();
+    let metadata = metadata.split("</metadata>").next().unwrap();
+    let read =
+        metadata.replace("&lt;", "<").replace("&gt;", ">").replace("&#13;", "\r").replace("&amp;", "&");
+    assert_eq!(read, figure.scenario);
+    let bytes = png(&figure).unwrap();
+    let reader = ::png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+    let chunk = reader.info().utf8_text.iter().find(|c| c.keyword == KEYWORD).unwrap();
+    assert_eq!(chunk.get_text().unwrap(), figure.scenario);
+}
+
+#[test]
+fn control_characters_do_not_reach_the_file() {
+    let hostile = Figure { title: "a\u{0}\u{1b}[31m\u{ffff}b".into(), ..figure(vec![panel(vec![sine(50)])]) };
+    let drawn = svg(&hostile);
+    assert!(drawn.contains(">a[31mb</text>") && !drawn.contains(['\u{0}', '\u{1b}', '\u{ffff}']));
+    assert!(png(&hostile).is_ok());
+}
