@@ -31,7 +31,7 @@ pub fn summary(plan: &Plan, outcome: &Outcome, time: Duration) -> String {
     for drift in drifts(&outcome.trajectory) {
         let relative = drift.relative().map_or_else(
             || format!("(it starts at zero; {} absolute)", with_unit(drift.largest, &drift.unit)),
-            |r| format!("relative, from {}", with_unit(drift.start, &drift.unit)),
+            |_| format!("relative, from {}", with_unit(drift.start, &drift.unit)),
         );
         let number = drift.relative().unwrap_or(drift.largest);
         let _ = writeln!(text, "  drift of {:<18} {number:8.1e} {relative}", drift.name);

@@ -59,12 +59,15 @@ impl Tolerance {
     }
 }
 
-/// Root mean square of weighted components, summed in the order of the components.
+/// Root mean square of weighted components, summed in the order of the components; those of weight zero do not
+/// count, so that a resting mode does not make the others look better than they are.
 pub(crate) fn norm<S: Scalar>(components: &[S], weights: &[S]) -> S {
-    let mut sum = S::from(0.0);
+    let (zero, one) = (S::from(0.0), S::from(1.0));
+    let (mut sum, mut count) = (zero, zero);
     for (x, w) in components.iter().zip(weights) {
         let scaled = *x * *w;
         sum = sum + scaled * scaled;
+        count = count + S::select(zero.lt(*w), one, zero);
     }
-    (sum / components.len().max(1) as f64).sqrt()
+    (sum / count.larger(one)).sqrt()
 }

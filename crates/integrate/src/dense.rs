@@ -10,7 +10,8 @@ use precess_scalar::Scalar;
 #[derive(Clone, Debug)]
 pub struct Dense<S> {
     t: S,
-    h: S,
+    /// The length in which the polynomial's argument is measured.
+    span: S,
     start: Vec<S>,
     end: Vec<S>,
     terms: Vec<Vec<S>>,
@@ -23,7 +24,14 @@ impl<S: Scalar> Dense<S> {
         let difference: Vec<S> = (0..n).map(|i| end[i] - start[i]).collect();
         let first = (0..n).map(|i| h * rate_start[i] - difference[i]).collect();
         let second = (0..n).map(|i| difference[i] * 2.0 - h * (rate_end[i] + rate_start[i])).collect();
-        Self { t, h, start: start.to_vec(), end: end.to_vec(), terms: vec![difference, first, second] }
+        Self { t, span: h, start: start.to_vec(), end: end.to_vec(), terms: vec![difference, first, second] }
+    }
+
+    /// The step ends at this time, which `t + h` gives up to rounding alone: from now on exactly.
+    #[must_use]
+    pub fn ending(mut self, end: S) -> Self {
+        self.span = end - self.t;
+        self
     }
 
     /// Adds the next term.
@@ -33,7 +41,7 @@ impl<S: Scalar> Dense<S> {
 
     /// The state at a time inside the step; exactly the ends at the ends.
     pub fn at(&self, t: S, y: &mut [S]) {
-        let s = (t - self.t) / self.h;
+        let s = (t - self.t) / self.span;
         let rest = S::from(1.0) - s;
         let before_end = s.lt(S::from(1.0));
         for (i, y) in y.iter_mut().enumerate() {

@@ -3,13 +3,13 @@
 use crate::Dense;
 use precess_system::{Direction, Field};
 
-/// A function of time and full state.
-pub type Function<'a> = Box<dyn Fn(f64, &[f64]) -> f64 + 'a>;
+/// A number computed from time and full state.
+pub type Observed<'a> = Box<dyn Fn(f64, &[f64]) -> f64 + 'a>;
 
-/// A function that a user watches.
+/// A function of time and state that a user watches.
 pub struct Watched<'a> {
     /// The function.
-    pub function: Function<'a>,
+    pub function: Observed<'a>,
     /// Which way it passes through zero, as the integration proceeds.
     pub direction: Direction,
     /// The run ends there.
@@ -44,10 +44,32 @@ pub(crate) struct Scanner<'a> {
     before: Vec<f64>,
     after: Vec<f64>,
     state: Vec<f64>,
+    /// The next step begins at a jump.
+    pub fresh: bool,
 }
 
-/// A time so soon after the start of a step (in steps) that nothing has happened since.
-const AT_ONCE: f64 = 1e-11;
+/// Where inside a step the functions are looked at, in shares of it.
+const WHOLE: &[f64] = &[1.0];
+const QUARTERS: &[f64] = &[0.25, 0.5, 0.75, 1.0];
+/// The flight after a jump may be very short: a ball leaves the floor and is back long before the step ends.
+const AFTER_A_JUMP: &[f64] = &[
+    1.0 / 1048576.0,
+    1.0 / 65536.0,
+    1.0 / 4096.0,
+    1.0 / 512.0,
+    1.0 / 128.0,
+    1.0 / 64.0,
+    1.0 / 32.0,
+    1.0 / 16.0,
+    0.125,
+    0.25,
+    0.375,
+    0.5,
+    0.625,
+    0.75,
+    0.875,
+    1.0,
+];
 
 /// A passage from one side to the other: landing on zero counts, leaving it does not.
 fn passes(direction: Direction, before: f64, after: f64) -> bool {
@@ -65,7 +87,7 @@ impl<'a> Scanner<'a> {
         let count = directions.len() + watches.len();
         let zeros = vec![0.0; count];
         let state = vec![0.0; field.shape().full()];
-        Self { field, directions, watches, before: zeros.clone(), after: zeros, state }
+        Self { field, directions, watches, before: zeros.clone(), after: zeros, state, fresh: true }
     }
 
     /// Whether there is anything to look for.
@@ -98,35 +120,52 @@ impl<'a> Scanner<'a> {
         self.before = before;
     }
 
-    /// Whether some function is on another side at the end of a step.
-    pub fn ends_differ(&mut self, t: f64, y: &[f64]) -> bool {
+    /// Whether a step is to be searched: always where that is to be thorough or a jump was just made, and where
+    /// some function is on another side at the end.
+    pub fn is_needed(&mut self, t: f64, y: &[f64], thorough: bool) -> bool {
         let mut after = std::mem::take(&mut self.after);
         self.values(t, y, &mut after);
         self.after = after;
-        let differs = |k| self.before[k] == 0.0 || passes(self.direction(k), self.before[k], self.after[k]);
-        (0..self.before.len()).any(differs)
+        let differs = |k| passes(self.direction(k), self.before[k], self.after[k]);
+        thorough || self.fresh || (0..self.before.len()).any(differs)
     }
 
-    /// All passages inside a step, in the order of time; `begin` must have seen its start.
-    pub fn find(&mut self, dense: &Dense<f64>, t: f64, h: f64, pieces: u32) -> Vec<(f64, Source)> {
+    /// Whether a function of the system is still on the side to which it has passed, at a state that another
+    /// jump has changed.
+    pub fn still_beyond(&mut self, event: usize, t: f64, y: &[f64]) -> bool {
+        let mut after = std::mem::take(&mut self.after);
+        self.values(t, y, &mut after);
+        self.after = after;
+        passes(self.direction(event), self.before[event], self.after[event])
+    }
+
+    /// All passages inside a step from `t` to `end`, in the order of the run, watches first where times are the
+    /// same; `begin` must have seen its start.
+    pub fn find(
+        &mut self,
+        dense: &Dense<f64>,
+        t: f64,
+        end: f64,
+        y: &[f64],
+        thorough: bool,
+    ) -> Vec<(f64, Source)> {
+        let shares = match (self.fresh, thorough) {
+            (true, _) => AFTER_A_JUMP,
+            (_, true) => QUARTERS,
+            _ => WHOLE,
+        };
         let mut found = vec![];
         let mut state = std::mem::take(&mut self.state);
         let mut before = self.before.clone();
         let mut after = before.clone();
         let mut from = t;
-        if before.contains(&0.0) {
-            // A function that starts on zero (a ball on the floor) is on the side where it goes at once.
-            dense.at(t + h * AT_ONCE, &mut state);
-            self.values(t + h * AT_ONCE, &state, &mut after);
-            for k in 0..before.len() {
-                if before[k] == 0.0 {
-                    before[k] = after[k];
-                }
+        for share in shares {
+            let to = if *share == 1.0 { end } else { t + (end - t) * share };
+            if *share == 1.0 {
+                state.copy_from_slice(y);
+            } else {
+                dense.at(to, &mut state);
             }
-        }
-        for piece in 1..=pieces {
-            let to = if piece == pieces { t + h } else { t + h * (f64::from(piece) / f64::from(pieces)) };
-            dense.at(to, &mut state);
             self.values(to, &state, &mut after);
             for k in 0..before.len() {
                 if passes(self.direction(k), before[k], after[k]) {
@@ -137,8 +176,9 @@ impl<'a> Scanner<'a> {
             from = to;
         }
         self.state = state;
-        let forwards = |a: f64, b: f64| if h < 0.0 { b.total_cmp(&a) } else { a.total_cmp(&b) };
-        found.sort_by(|a, b| forwards(a.0, b.0).then(a.1.cmp(&b.1)));
+        let forwards = |a: f64, b: f64| if end < t { b.total_cmp(&a) } else { a.total_cmp(&b) };
+        let own = |source: Source| matches!(source, Source::System(_));
+        found.sort_by(|a, b| forwards(a.0, b.0).then(own(a.1).cmp(&own(b.1))).then(a.1.cmp(&b.1)));
         found
     }
 

@@ -5,6 +5,11 @@ use std::fmt;
 /// What happened, at what time, and what to try. The samples up to then stay with the caller.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
+    /// The run makes no sense as it was asked for.
+    Refused {
+        /// What does not.
+        what: &'static str,
+    },
     /// A number of the state became infinite or NaN.
     Diverged {
         /// Time reached.
@@ -42,6 +47,7 @@ impl Failure {
     /// The time reached.
     pub fn time(&self) -> f64 {
         match *self {
+            Self::Refused { .. } => 0.0,
             Self::Diverged { t }
             | Self::StepTooSmall { t, .. }
             | Self::NoConvergence { t, .. }
@@ -54,6 +60,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Refused { what } => f.write_str(what),
             Self::Diverged { t } => write!(
                 f,
                 "the state is no longer finite after t = {t} s: the motion diverges there, or the step is too \
@@ -71,7 +78,8 @@ impl fmt::Display for Failure {
             ),
             Self::TooManyEvents { t } => write!(
                 f,
-                "at t = {t} s events follow one another without time passing (check the parameters)"
+                "at t = {t} s events follow one another without time passing: the motion comes to rest at the \
+                 event, or the jump does not lead away from it (stop the run there, or check the parameters)"
             ),
             Self::Interrupted { t } => write!(f, "interrupted at t = {t} s"),
         }

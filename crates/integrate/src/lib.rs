@@ -3,11 +3,15 @@
 //! A method ([`Method`]) gives a [`Stepper`] for every kind of number; step-size control, dense output, events
 //! and the drive that joins them are parts of their own, so that each method gets all of them.
 
+mod adaptive;
+mod coefficient;
 mod controller;
 mod dense;
 mod drive;
+mod engine;
 mod event;
 mod failure;
+mod fixed;
 mod method;
 mod methods;
 mod samples;
@@ -16,7 +20,7 @@ mod tableau;
 pub use controller::{Controller, Tolerance};
 pub use dense::Dense;
 pub use drive::{Drive, Pace, Report, drive};
-pub use event::{Function, Occurred, Source, Watched};
+pub use event::{Observed, Occurred, Source, Watched};
 pub use failure::Failure;
 pub use method::{
     AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper, Steps,

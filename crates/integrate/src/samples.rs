@@ -17,7 +17,11 @@ impl Samples {
     pub fn new(until: f64, every: f64) -> Self {
         let whole = (until.abs() / every + CLOSE).floor();
         let ends = (until.abs() - whole * every).abs() <= CLOSE * every;
-        Self { until, every, last: if ends { whole as u64 } else { whole as u64 + 1 } }
+        Self { until, every, last: if ends { whole as u64 } else { (whole as u64).saturating_add(1) } }
+    }
+    /// Whether both numbers are finite, and `every` above zero.
+    pub fn is_sensible(&self) -> bool {
+        self.until.is_finite() && self.every.is_finite() && self.every > 0.0
     }
     /// Index of the last sample, which lies at the end.
     pub fn last(&self) -> u64 {

@@ -1,18 +1,19 @@
 //! Runge-Kutta methods given by their coefficients, with an error estimate and dense output.
 
+use crate::coefficient::Coefficient;
 use crate::controller::norm;
 use crate::{Dense, NoConvergence, Stepper};
 use precess_scalar::Scalar;
 use precess_system::{Field, Shape};
 
 /// Coefficients of the stages that matter: (stage, coefficient), in the order in which they are summed.
-pub(crate) type Row = &'static [(usize, f64)];
+pub(crate) type Row = &'static [(usize, Coefficient)];
 
 /// An explicit Runge-Kutta pair. After the stages comes one more, the rate at the end of the step, which is
 /// the first stage of the next step.
 pub(crate) struct Tableau {
     /// Times of the stages, in steps.
-    pub nodes: &'static [f64],
+    pub nodes: &'static [Coefficient],
     /// Rows of the stages after the first.
     pub stages: &'static [Row],
     /// The step itself.
@@ -22,7 +23,7 @@ pub(crate) struct Tableau {
     /// Its difference to a formula of still lower order, or empty: the estimate is then Hairer's combination.
     pub second_error: Row,
     /// Times of the stages that only dense output needs.
-    pub extra_nodes: &'static [f64],
+    pub extra_nodes: &'static [Coefficient],
     /// Their rows; stages count on after the one at the end.
     pub extra_stages: &'static [Row],
     /// Terms of the dense output beyond the cubic.
@@ -34,8 +35,15 @@ impl Tableau {
     pub fn stepper<S: Scalar + Send>(&'static self, shape: &Shape) -> Box<dyn Stepper<S>> {
         let zeros = vec![S::from(0.0); shape.full()];
         let stages = self.nodes.len() + 1 + self.extra_nodes.len();
+        let end = std::iter::once(S::from(1.0));
+        let nodes = self.nodes.iter().map(|c| c.value());
         Box::new(Steps {
-            tableau: self,
+            nodes: nodes.chain(end).chain(self.extra_nodes.iter().map(|c| c.value())).collect(),
+            stages: values(self.stages),
+            weights: values(&[self.weights]),
+            errors: values(&[self.error, self.second_error]),
+            extra_stages: values(self.extra_stages),
+            dense: values(self.dense),
             k: vec![zeros.clone(); stages],
             state: zeros,
             first_known: false,
@@ -44,8 +52,20 @@ impl Tableau {
     }
 }
 
+/// The coefficients as numbers of the run.
+type Values<S> = Vec<Vec<(usize, S)>>;
+
+fn values<S: Scalar>(rows: &[Row]) -> Values<S> {
+    rows.iter().map(|row| row.iter().map(|(stage, c)| (*stage, c.value())).collect()).collect()
+}
+
 struct Steps<S> {
-    tableau: &'static Tableau,
+    nodes: Vec<S>,
+    stages: Values<S>,
+    weights: Values<S>,
+    errors: Values<S>,
+    extra_stages: Values<S>,
+    dense: Values<S>,
     /// Rates at the stages, then at the end, then at the extra stages.
     k: Vec<Vec<S>>,
     state: Vec<S>,
@@ -54,33 +74,32 @@ struct Steps<S> {
 }
 
 /// The sum of stages, component by component, in the order of the row.
-fn combine<S: Scalar>(row: Row, k: &[Vec<S>], i: usize) -> S {
-    let mut terms = row.iter();
-    let Some(&(first, c)) = terms.next() else { return S::from(0.0) };
-    terms.fold(k[first][i] * c, |sum, &(j, c)| sum + k[j][i] * c)
+fn combine<S: Scalar>(row: &[(usize, S)], k: &[Vec<S>], i: usize) -> S {
+    let Some((&(first, c), terms)) = row.split_first() else { return S::from(0.0) };
+    terms.iter().fold(k[first][i] * c, |sum, &(j, c)| sum + k[j][i] * c)
 }
 
 impl<S: Scalar> Steps<S> {
-    /// The rate at stage number `stage`, whose time and row are given.
-    fn stage(
-        &mut self,
-        field: &dyn Field<S>,
-        (t, h): (S, S),
-        y: &[S],
-        stage: usize,
-        (node, row): (f64, Row),
-    ) {
+    /// The place of the rate at the end, after those of the stages.
+    fn last(&self) -> usize {
+        self.stages.len() + 1
+    }
+
+    /// Evaluates a stage from its row: its state lies along the stages before.
+    fn stage(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, extra: bool, n: usize) {
+        let (row, stage) =
+            if extra { (&self.extra_stages[n], self.stages.len() + 2 + n) } else { (&self.stages[n], n + 1) };
         for (i, state) in self.state.iter_mut().enumerate() {
             *state = y[i] + h * combine(row, &self.k, i);
         }
-        field.rate(t + h * node, &self.state, &mut self.k[stage]);
+        field.rate(t + h * self.nodes[stage], &self.state, &mut self.k[stage]);
         self.evaluations += 1;
     }
 
     /// Weighted root mean square of an error row, over one step of unit length.
-    fn estimate(&mut self, row: Row, weights: &[S]) -> S {
+    fn estimate(&mut self, which: usize, weights: &[S]) -> S {
         for (i, state) in self.state.iter_mut().enumerate() {
-            *state = combine(row, &self.k, i);
+            *state = combine(&self.errors[which], &self.k, i);
         }
         norm(&self.state, weights)
     }
@@ -95,32 +114,30 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         h: S,
         out: &mut [S],
     ) -> Result<(), NoConvergence> {
-        let tableau = self.tableau;
         if !self.first_known {
             field.rate(t, y, &mut self.k[0]);
             self.evaluations += 1;
             self.first_known = true;
         }
-        for (row, stage) in tableau.stages.iter().zip(1..) {
-            self.stage(field, (t, h), y, stage, (tableau.nodes[stage], row));
+        for n in 0..self.stages.len() {
+            self.stage(field, t, y, h, false, n);
         }
         for (i, out) in out.iter_mut().enumerate() {
-            *out = y[i] + h * combine(tableau.weights, &self.k, i);
+            *out = y[i] + h * combine(&self.weights[0], &self.k, i);
         }
-        let end = tableau.nodes.len();
-        field.rate(t + h, out, &mut self.k[end]);
+        let last = self.last();
+        field.rate(t + h, out, &mut self.k[last]);
         self.evaluations += 1;
         Ok(())
     }
 
     fn error(&mut self, h: S, weights: &[S]) -> S {
-        let tableau = self.tableau;
-        let first = self.estimate(tableau.error, weights);
-        if tableau.second_error.is_empty() {
+        let first = self.estimate(0, weights);
+        if self.errors[1].is_empty() {
             return h.abs() * first;
         }
         // Hairer's combination of two estimates: e5^2 / sqrt(e5^2 + e3^2 / 100).
-        let second = self.estimate(tableau.second_error, weights);
+        let second = self.estimate(1, weights);
         let square = first * first;
         let below = (square + second * second * 0.01).sqrt();
         let nonzero = S::from(0.0).lt(below);
@@ -128,21 +145,19 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     }
 
     fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
-        let tableau = self.tableau;
-        let last = tableau.nodes.len();
-        for (n, row) in tableau.extra_stages.iter().enumerate() {
-            self.stage(field, (t, h), y, last + 1 + n, (tableau.extra_nodes[n], row));
+        for n in 0..self.extra_stages.len() {
+            self.stage(field, t, y, h, true, n);
         }
-        let mut dense = Dense::hermite(t, h, y, end, &self.k[0], &self.k[last]);
-        for row in tableau.dense {
+        let mut dense = Dense::hermite(t, h, y, end, &self.k[0], &self.k[self.last()]);
+        for row in &self.dense {
             dense.push((0..y.len()).map(|i| h * combine(row, &self.k, i)).collect());
         }
         dense
     }
 
     fn accept(&mut self) {
-        let end = self.tableau.nodes.len();
-        self.k.swap(0, end);
+        let last = self.last();
+        self.k.swap(0, last);
     }
 
     fn restart(&mut self) {
@@ -153,6 +168,3 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         self.evaluations
     }
 }
-
-#[cfg(test)]
-mod order_conditions;

@@ -22,8 +22,3 @@ pub const METHODS: &[&dyn AnyMethod] = &[
     &dopri5::Dopri5,
     &dop853::Dop853,
 ];
-
-#[cfg(test)]
-pub(crate) use dop853::TABLEAU as DOP853;
-#[cfg(test)]
-pub(crate) use dopri5::TABLEAU as DOPRI5;

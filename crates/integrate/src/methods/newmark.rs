@@ -84,8 +84,8 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         for _ in 0..MOST_ITERATIONS {
             field.rate(t + h, out, &mut self.end);
             self.evaluations += 1;
-            for i in 0..y.len() {
-                self.next[i] = y[i] + h * 0.5 * (self.end[i] + self.start[i]);
+            for (i, next) in self.next.iter_mut().enumerate() {
+                *next = y[i] + h * 0.5 * (self.end[i] + self.start[i]);
             }
             for &(x, v) in &self.pairs {
                 let acceleration = self.end[v] * 0.5 + self.start[v];

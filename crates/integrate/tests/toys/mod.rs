@@ -1,0 +1,159 @@
+//! Small systems of the tests' own, and a walk of equal steps over any number.
+#![allow(dead_code, reason = "each test uses its own share")]
+
+use precess_integrate::{AnyMethod, METHODS, Options, Stepper, Steps};
+use precess_scalar::Scalar;
+use precess_system::{Field, Shape};
+
+/// A system's equations, over every number.
+pub trait Toy: Send + Sync {
+    fn rate<S: Scalar>(&self, t: S, y: &[S], dy: &mut [S]);
+    fn crossings<S: Scalar>(&self, _t: S, _y: &[S], _out: &mut [S]) {}
+    fn jump<S: Scalar>(&self, _event: usize, _t: S, _y: &mut [S]) {}
+}
+
+/// A toy with its shape.
+pub struct Bound<T> {
+    toy: T,
+    shape: Shape,
+}
+
+/// `second` coordinates with velocities, then `first` without, and `events`.
+pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound<T> {
+    let shape = Shape {
+        coordinates: second + first,
+        second: (0..second).collect(),
+        modes: 0,
+        observables: 0,
+        events,
+    };
+    Bound { toy, shape }
+}
+
+impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+    fn rate(&self, t: S, y: &[S], dy: &mut [S]) {
+        self.toy.rate(t, y, dy);
+    }
+    fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
+    fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
+        None
+    }
+    fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
+        self.toy.crossings(t, y, out);
+    }
+    fn jump(&self, event: usize, t: S, y: &mut [S]) {
+        self.toy.jump(event, t, y);
+    }
+}
+
+/// `x'' = -omega^2 x`.
+pub struct Harmonic(pub f64);
+impl Toy for Harmonic {
+    fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[1];
+        dy[1] = -(y[0] * (self.0 * self.0));
+    }
+}
+pub fn harmonic(omega: f64) -> Bound<Harmonic> {
+    bind(Harmonic(omega), 1, 0, 0)
+}
+
+/// `theta'' = -b theta' - sin theta`.
+pub struct Pendulum(pub f64);
+impl Toy for Pendulum {
+    fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[1];
+        dy[1] = -(y[1] * self.0) - y[0].sin();
+    }
+}
+pub fn pendulum(b: f64) -> Bound<Pendulum> {
+    bind(Pendulum(b), 1, 0, 0)
+}
+
+/// Planar Kepler motion with unit attraction.
+pub struct Kepler;
+impl Toy for Kepler {
+    fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
+        let square = y[0] * y[0] + y[1] * y[1];
+        let cube = square * square.sqrt();
+        (dy[0], dy[1]) = (y[2], y[3]);
+        (dy[2], dy[3]) = (-(y[0] / cube), -(y[1] / cube));
+    }
+}
+pub fn kepler() -> Bound<Kepler> {
+    bind(Kepler, 2, 0, 0)
+}
+
+/// `x'' = -x + cos t / 5`, `z' = x z`: time enters, and a coordinate of first order.
+pub struct Mixed;
+impl Toy for Mixed {
+    fn rate<S: Scalar>(&self, t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[2];
+        dy[1] = y[0] * y[1];
+        dy[2] = t.cos() * 0.2 - y[0];
+    }
+}
+pub fn mixed() -> Bound<Mixed> {
+    bind(Mixed, 1, 1, 0)
+}
+
+/// A ball that falls with unit gravity and keeps a share of its speed where it bounces.
+pub struct Ball(pub f64);
+impl Toy for Ball {
+    fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[1];
+        dy[1] = S::from(-1.0);
+    }
+    fn crossings<S: Scalar>(&self, _t: S, y: &[S], out: &mut [S]) {
+        out[0] = y[0];
+    }
+    fn jump<S: Scalar>(&self, _event: usize, _t: S, y: &mut [S]) {
+        y[1] = -(y[1] * self.0);
+    }
+}
+pub fn ball(restitution: f64) -> Bound<Ball> {
+    bind(Ball(restitution), 1, 0, 1)
+}
+
+/// `x'' = x^2`: at infinity after a finite time.
+pub struct BlowUp;
+impl Toy for BlowUp {
+    fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = y[1];
+        dy[1] = y[0] * y[0];
+    }
+}
+pub fn blow_up() -> Bound<BlowUp> {
+    bind(BlowUp, 1, 0, 0)
+}
+
+pub fn method(id: &str) -> &'static dyn AnyMethod {
+    *METHODS.iter().find(|m| m.card().id == id).expect("a method of this name")
+}
+
+/// A stepper over any number.
+pub fn stepper<S: Scalar>(
+    method: &dyn AnyMethod,
+    field: &dyn Field<S>,
+    options: &Options,
+) -> Box<dyn Stepper<S>>
+where
+    dyn AnyMethod: Steps<S>,
+{
+    let forgotten: &(dyn AnyMethod + 'static) =
+        METHODS.iter().find(|m| m.card().id == method.card().id).copied().expect("a method of the list");
+    Steps::<S>::stepper(forgotten, field.shape(), options)
+}
+
+/// `n` equal steps of length `h`, from `t` on.
+pub fn walk<S: Scalar>(stepper: &mut dyn Stepper<S>, field: &dyn Field<S>, t: S, y: &mut [S], h: S, n: u32) {
+    let mut out = y.to_vec();
+    for k in 0..n {
+        stepper.step(field, t + h * f64::from(k), y, h, &mut out).expect("the step converges");
+        stepper.accept();
+        y.copy_from_slice(&out);
+    }
+}
