@@ -28,7 +28,6 @@ run: $(PRECESS)
 
 test: cargo lint
 	$(CARGO) test --workspace
-	$(CARGO) test --release -p precess-cli
 
 lint: cargo
 	$(CARGO) fmt --all --check

@@ -117,6 +117,35 @@ fn events_switch_modes_once() {
     assert_eq!(after("bucket3_full")[MASS + 3], 0.0, "what is written for a full bucket");
 }
 
+/// Where each event function of a bucket changes sign.
+#[test]
+fn event_functions_vanish_at_their_thresholds() {
+    let noria = ready("noria");
+    let mut y = noria.start(&[]).expect("a sound start");
+    let mut sign_after = |name: &str, place: usize, value: f64| {
+        y[place] = value;
+        let mut crossings = vec![0.0; noria.layout.events.len()];
+        noria.field().crossings(0.0, &y, &mut crossings);
+        let event = noria.layout.events.iter().position(|e| e.name == name).expect("an event");
+        crossings[event].signum()
+    };
+    let (capacity, floor, above, below) = (800.0 / 9.0, 20.0 / 9.0, 1.0 + 1e-12, 1.0 - 1e-12);
+    for (name, place, threshold) in [
+        ("bucket3_full", MASS + 3, capacity),
+        ("bucket3_dry", MASS + 3, floor),
+        ("bucket5_enters", 0, -PI / 4.0 - 0.35),
+        ("bucket6_leaves", 0, -PI / 2.0 + 0.35),
+    ] {
+        let (far, near) =
+            (sign_after(name, place, threshold * above), sign_after(name, place, threshold * below));
+        assert!(far != near, "{name} does not change sign at {threshold}");
+    }
+    assert_eq!(
+        [sign_after("sets_off", MASS + 3, 0.0004), sign_after("halts", MASS + 3, 0.0006)],
+        [-1.0, 1.0]
+    );
+}
+
 #[test]
 fn a_full_bucket_empties_and_a_bare_wheel_stops() {
     let mut noria = ready("noria");
