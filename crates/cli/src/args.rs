@@ -56,7 +56,7 @@ pub enum What {
 pub struct Subject {
     /// System id, or a scenario file (*.toml; - for standard input)
     #[arg(value_name = "SYSTEM|FILE.toml")]
-    pub subject: String,
+    pub name: String,
     /// Sets a parameter: l=0.5, masses='[10; 1]', theta='30 deg'
     #[arg(short, long = "parameter", value_name = "NAME=VALUE", allow_hyphen_values = true)]
     pub parameters: Vec<String>,

@@ -115,7 +115,11 @@ fn text(comparison: &Comparison) -> String {
 }
 
 fn remark(contender: &Contender) -> String {
-    contender.outcome.failure.as_ref().map_or(String::new(), |f| format!("  ended at t = {} s", shortest(f.time())))
+    contender
+        .outcome
+        .failure
+        .as_ref()
+        .map_or(String::new(), |f| format!("  ended at t = {} s", shortest(f.time())))
 }
 
 /// The drift of each invariant, one curve a method.

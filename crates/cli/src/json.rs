@@ -36,7 +36,9 @@ pub fn system(system: &dyn AnySystem) -> Value {
     let layout = system.layout(&Values::defaults(&card), &Given::default());
     let coordinates = layout.coordinates.iter().map(|c| match c.order {
         Order::First => with(&c.quantity, &json!({ "order": 1, "start": c.start })),
-        Order::Second => with(&c.quantity, &json!({ "order": 2, "start": c.start, "start_dot": c.start_dot })),
+        Order::Second => {
+            with(&c.quantity, &json!({ "order": 2, "start": c.start, "start_dot": c.start_dot }))
+        }
     });
     let parameters = card.parameters.iter().map(|p| {
         let range = p.quantity.range;

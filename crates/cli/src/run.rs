@@ -63,7 +63,9 @@ fn open(arguments: &Run) -> Result<Targets, Failure> {
         None => None,
         Some(path) if path == Path::new("-") => {
             if arguments.hash {
-                return Err(Failure::Wrong("--hash and -o - would both write to standard output: choose one".into()));
+                return Err(Failure::Wrong(
+                    "--hash and -o - would both write to standard output: choose one".into(),
+                ));
             }
             Some(Table::StandardOutput)
         }
@@ -92,7 +94,10 @@ pub fn unknown_suffix(path: &Path, known: &str) -> Failure {
 }
 
 /// Draws a figure into an open file.
-pub fn finish_plot(figure: &precess::figure::Figure, (output, suffix): (Output, String)) -> Result<(), Failure> {
+pub fn finish_plot(
+    figure: &precess::figure::Figure,
+    (output, suffix): (Output, String),
+) -> Result<(), Failure> {
     let picture = if suffix == "png" {
         draw::png(figure).map_err(Failure::Failed)?
     } else {

@@ -15,7 +15,8 @@ pub fn show(id: &str, as_json: bool, latex: bool) -> Result<(), Failure> {
     }
     let card = system.card();
     let layout = system.layout(&Values::defaults(&card), &Given::default());
-    let mut text = format!("{}  ({})\n\n{}\n\nSource: {}\n", card.title.en, card.id, card.about.en, card.source);
+    let mut text =
+        format!("{}  ({})\n\n{}\n\nSource: {}\n", card.title.en, card.id, card.about.en, card.source);
     let printed = equations(system, if latex { Notation::Latex } else { Notation::Text });
     // Writing to a String cannot fail.
     let _ = writeln!(text, "\nEquations");

@@ -8,13 +8,10 @@ use std::io::Read;
 
 /// The scenario of a subject.
 pub fn scenario(subject: &Subject) -> Result<Scenario, Failure> {
-    let name = &subject.subject;
+    let name = &subject.name;
     let is_file = name == "-" || name.contains(['/', '\\']) || name.to_lowercase().ends_with(".toml");
-    let mut scenario = if is_file {
-        Scenario::parse(&read(name)?).map_err(|e| e.at(name))?
-    } else {
-        Scenario::of(name)
-    };
+    let mut scenario =
+        if is_file { Scenario::parse(&read(name)?).map_err(|e| e.at(name))? } else { Scenario::of(name) };
     for given in &subject.parameters {
         let (name, value) = assignment(given)?;
         Scenario::set(&mut scenario.parameters, name, value);

@@ -1,6 +1,7 @@
 //! Trajectories as CSV and NPZ.
 
 use npyz::WriterBuilder;
+use npyz::zip::write::FileOptions;
 use precess::value::shortest;
 use precess::{Outcome, system::Trajectory};
 use std::io::{self, Seek, Write};
@@ -25,7 +26,7 @@ pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
     let trajectory = &outcome.trajectory;
     for (k, column) in trajectory.columns.iter().enumerate() {
         let mut array = archive
-            .array(&column.name, Default::default())?
+            .array(&column.name, FileOptions::default())?
             .default_dtype()
             .shape(&[trajectory.len() as u64])
             .begin_nd()?;
@@ -39,8 +40,11 @@ pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
         ("version", outcome.provenance.version.clone()),
     ] {
         let bytes = text.as_bytes();
-        let mut array =
-            archive.array(name, Default::default())?.default_dtype().shape(&[bytes.len() as u64]).begin_nd()?;
+        let mut array = archive
+            .array(name, FileOptions::default())?
+            .default_dtype()
+            .shape(&[bytes.len() as u64])
+            .begin_nd()?;
         array.extend(bytes.iter().copied())?;
         array.finish()?;
     }

@@ -52,8 +52,20 @@ const CONE: [(f64, [f64; 3]); 2] = [
 #[test]
 fn the_cone_is_right_to_nine_digits() {
     let run = precess(&[
-        "run", "gyroscope", "--until", "10", "--every", "1", "--method", "dop853", "--rtol", "1e-13", "--atol",
-        "1e-13", "-o", "-",
+        "run",
+        "gyroscope",
+        "--until",
+        "10",
+        "--every",
+        "1",
+        "--method",
+        "dop853",
+        "--rtol",
+        "1e-13",
+        "--atol",
+        "1e-13",
+        "-o",
+        "-",
     ]);
     assert!(run.status.success(), "{}", err(&run));
     let csv = out(&run);
@@ -82,7 +94,8 @@ fn the_cone_is_right_to_nine_digits() {
 fn numbers_in_csv_read_back_to_the_same_bits_and_give_the_hash() {
     let folder = Folder::new("bits");
     let csv = folder.file("run.csv");
-    let arguments = ["run", "double_pendulum", "--until", "5", "--every", "0.5", "--quiet", "--hash", "-o", &csv];
+    let arguments =
+        ["run", "double_pendulum", "--until", "5", "--every", "0.5", "--quiet", "--hash", "-o", &csv];
     let first = precess(&arguments);
     let second = precess(&arguments);
     assert!(first.status.success(), "{}", err(&first));
@@ -114,7 +127,20 @@ fn the_golden_hashes_hold_in_the_terminal() {
 fn a_saved_scenario_runs_the_same() {
     let folder = Folder::new("save");
     let saved = folder.file("saved.toml");
-    let first = precess(&["run", "n_body", "-p", "masses=[45; 1; 0.01]", "-i", "x2=1.2", "--until", "2", "--quiet", "--hash", "--save", &saved]);
+    let first = precess(&[
+        "run",
+        "n_body",
+        "-p",
+        "masses=[45; 1; 0.01]",
+        "-i",
+        "x2=1.2",
+        "--until",
+        "2",
+        "--quiet",
+        "--hash",
+        "--save",
+        &saved,
+    ]);
     assert!(first.status.success(), "{}", err(&first));
     let second = precess(&["run", &saved, "--quiet", "--hash"]);
     assert_eq!(out(&first), out(&second), "{}", err(&second));
@@ -209,7 +235,8 @@ fn a_run_that_diverges_keeps_its_samples_and_says_when() {
     let folder = Folder::new("diverges");
     let csv = folder.file("run.csv");
     // Euler-Cromer on the cone with a step this long blows up.
-    let run = precess(&["run", "gyroscope", "--method", "euler", "--dt", "0.05", "--until", "100", "-o", &csv]);
+    let run =
+        precess(&["run", "gyroscope", "--method", "euler", "--dt", "0.05", "--until", "100", "-o", &csv]);
     assert_eq!(run.status.code(), Some(1), "{}", err(&run));
     assert!(err(&run).contains("t = "), "{}", err(&run));
     let text = std::fs::read_to_string(&csv).expect("the samples are kept");
@@ -218,7 +245,18 @@ fn a_run_that_diverges_keeps_its_samples_and_says_when() {
 
 #[test]
 fn newmark_that_does_not_converge_says_what_to_try() {
-    let run = precess(&["run", "harmonic_oscillator", "--method", "newmark", "--dt", "3", "--until", "30", "--every", "30"]);
+    let run = precess(&[
+        "run",
+        "harmonic_oscillator",
+        "--method",
+        "newmark",
+        "--dt",
+        "3",
+        "--until",
+        "30",
+        "--every",
+        "30",
+    ]);
     assert_eq!(run.status.code(), Some(1));
     assert!(err(&run).contains("smaller dt"), "{}", err(&run));
 }

@@ -65,7 +65,8 @@ fn names(card: &Card, values: &Values<f64>, layout: &Layout, notation: Notation)
         for k in 0..list.items.len() / list.width {
             names.extend(fields.iter().map(|field| match (latex, fields.len()) {
                 (true, 1) => format!("{}_{{{k}}}", quantity.symbol),
-                (true, _) => format!("{field}_{{{k}}}"),
+                (true, _) if field.len() == 1 => format!("{field}_{{{k}}}"),
+                (true, _) => format!("\\mathrm{{{field}}}_{{{k}}}"),
                 (false, 1) => format!("{}[{k}]", quantity.name),
                 (false, _) => format!("{}[{k}].{field}", quantity.name),
             }));

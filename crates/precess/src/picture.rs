@@ -95,13 +95,24 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
             let known = pairs.iter().filter_map(|(x, y)| index(x).zip(index(y)));
             let known: Vec<(usize, usize)> = known.collect();
             let many = known.len() > 1;
-            let label = |k: usize| if many { String::new() } else { axis(&columns[k]) };
+            // Several bodies share their axes: the names without the number.
+            let label = |k: usize| match axis(&columns[k]) {
+                shared if many => shared.chars().filter(|c| !c.is_ascii_digit()).collect(),
+                own => own,
+            };
+            let path = |&(x, y): &(usize, usize)| {
+                let mut path = curve(columns, trajectory, x, y, false);
+                if many {
+                    path.label = format!("{}, {}", readable(&columns[x].name), readable(&columns[y].name));
+                }
+                path
+            };
             let start = trajectory.rows().next();
             Panel {
                 x_label: known.first().map_or(String::new(), |p| label(p.0)),
                 y_label: known.first().map_or(String::new(), |p| label(p.1)),
                 equal_scales: *equal_scales,
-                curves: known.iter().map(|&(x, y)| curve(columns, trajectory, x, y, many)).collect(),
+                curves: known.iter().map(path).collect(),
                 marks: known
                     .iter()
                     .filter_map(|&(x, y)| {

@@ -4,7 +4,7 @@ use crate::error::{Error, input, quoted, unknown};
 use crate::plan::{PanelPlan, Plan, Watch};
 use crate::scenario::{EventSpec, FigureSpec};
 use crate::value::{self, Value};
-use precess_system::{AnySystem, Card, Default, Direction, Given, Layout, Parameter, Values};
+use precess_system::{AnySystem, Card, Default, Direction, Given, Layout, Parameter, Quantity, Values};
 
 /// Parameters: the card's defaults, then what is given.
 pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Values<f64>, Error> {
@@ -21,7 +21,7 @@ pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Value
         let place = card.parameters[..index].iter().filter(same_kind).count();
         let at = |e: Error| e.at(name);
         match &parameter.default {
-            Default::Number(_) => values.numbers[place] = in_range(parameter, value).map_err(at)?,
+            Default::Number(_) => values.numbers[place] = within(&parameter.quantity, value).map_err(at)?,
             Default::List { fields, .. } => {
                 values.lists[place].items = items(parameter, fields, value).map_err(at)?;
             }
@@ -31,9 +31,10 @@ pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Value
     Ok(values)
 }
 
-fn in_range(parameter: &Parameter, value: &Value) -> Result<f64, Error> {
-    let x = value.in_unit(&parameter.quantity.unit)?;
-    let range = parameter.quantity.range;
+/// A number in the unit and the range of its quantity.
+fn within(quantity: &Quantity, value: &Value) -> Result<f64, Error> {
+    let x = value.in_unit(&quantity.unit)?;
+    let range = quantity.range;
     if range.contains(x) {
         return Ok(x);
     }
@@ -64,7 +65,7 @@ fn items(parameter: &Parameter, fields: &[&str], value: &Value) -> Result<Vec<f6
                     numbers.push(number.in_unit("").map_err(at)?);
                 }
             }
-            number if fields.len() == 1 => numbers.push(in_range(parameter, number).map_err(at)?),
+            number if fields.len() == 1 => numbers.push(within(&parameter.quantity, number).map_err(at)?),
             _ => return Err(at(Error::Input(format!("a list is needed: [{}]", fields.join("; "))))),
         }
     }
@@ -95,7 +96,7 @@ pub(crate) fn start(
             let names = quantities.iter().map(|q| q.name.as_str());
             return Err(unknown(&format!("start of {}", card.id), name, names));
         };
-        starts.0.push((name.clone(), value.in_unit(&quantity.unit).map_err(|e| e.at(name))?));
+        starts.0.push((name.clone(), within(quantity, value).map_err(|e| e.at(name))?));
     }
     let state = system.start(values, &layout, &starts).map_err(Error::Input)?;
     Ok((layout, state))

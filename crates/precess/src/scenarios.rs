@@ -8,7 +8,9 @@ static FOLDER: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../scenarios");
 /// File name and text of every scenario, in alphabetical order.
 pub fn all() -> Vec<(&'static str, &'static str)> {
     let files = FOLDER.files().filter_map(|f| Some((f.path().to_str()?, f.contents_utf8()?)));
-    let mut all: Vec<_> = files.filter(|(name, _)| std::path::Path::new(name).extension().is_some_and(|e| e == "toml")).collect();
+    let mut all: Vec<_> = files
+        .filter(|(name, _)| std::path::Path::new(name).extension().is_some_and(|e| e == "toml"))
+        .collect();
     all.sort_unstable();
     all
 }

@@ -43,10 +43,13 @@ const GREEK: [&str; 23] = [
     "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega", "Gamma",
 ];
 
-/// `theta1` to `\theta_1`, `i3` to `i_3`, `dry` to `\mathrm{dry}`, `x_dot` to `\dot{x}`.
+/// `theta1` to `\theta_1`, `L_A3` to `L_{A3}`, `dry` to `\mathrm{dry}`, `x_dot` to `\dot{x}`.
 pub(crate) fn default_symbol(name: &str) -> String {
     if let Some(stem) = name.strip_suffix("_dot") {
         return dotted(&default_symbol(stem), 1);
+    }
+    if let Some((letter, index)) = name.split_once('_').filter(|(letter, _)| letter.len() == 1) {
+        return format!("{letter}_{{{index}}}");
     }
     let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
     let index = &name[stem.len()..];
