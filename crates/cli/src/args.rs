@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 /// A laboratory of classical mechanics.
 #[derive(Parser)]
-#[command(name = "precess", version, about, max_term_width = 100)]
+#[command(name = "precess", version, about = "A laboratory of classical mechanics", max_term_width = 100)]
 pub struct Command {
     /// What to do.
     #[command(subcommand)]

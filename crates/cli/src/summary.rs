@@ -28,6 +28,15 @@ pub fn summary(plan: &Plan, outcome: &Outcome, time: Duration) -> String {
         outcome.trajectory.len(),
         duration(time)
     );
+    if let Step::Fixed(dt) = plan.step
+        && dt > plan.every
+    {
+        let every = shortest(plan.every);
+        let _ = writeln!(
+            text,
+            "  samples lie closer than dt, so the steps were shortened to {every} s (see --every)"
+        );
+    }
     for drift in drifts(&outcome.trajectory) {
         let relative = drift.relative().map_or_else(
             || format!("(it starts at zero; {} absolute)", with_unit(drift.largest, &drift.unit)),

@@ -52,6 +52,9 @@ fn items(parameter: &Parameter, fields: &[&str], value: &Value) -> Result<Vec<f6
     if items.is_empty() {
         return input("the list is empty");
     }
+    if items.len() > parameter.longest {
+        return input(format!("{} items are too many: at most {}", items.len(), parameter.longest));
+    }
     let mut numbers = vec![];
     for (k, item) in items.iter().enumerate() {
         let at = |e: Error| e.at(&format!("item {}", k + 1));

@@ -110,17 +110,22 @@ pub struct Parameter {
     pub quantity: Quantity,
     /// Its default.
     pub default: Default,
+    /// The longest list that makes sense.
+    pub longest: usize,
 }
+
+/// A list longer than this is a mistake, unless a card says otherwise.
+const LONGEST: usize = 100_000;
 
 /// A numeric parameter.
 pub fn number(name: &str, unit: &str, default: f64, en: &str, fr: &str) -> Parameter {
-    Parameter { quantity: quantity(name, unit, en, fr), default: Default::Number(default) }
+    Parameter { quantity: quantity(name, unit, en, fr), default: Default::Number(default), longest: 1 }
 }
 
 /// A list of numbers.
 pub fn list(name: &'static str, unit: &str, default: &[f64], en: &str, fr: &str) -> Parameter {
     let default = Default::List { fields: &["item"], items: default.to_vec() };
-    Parameter { quantity: quantity(name, unit, en, fr), default }
+    Parameter { quantity: quantity(name, unit, en, fr), default, longest: LONGEST }
 }
 
 /// A list of items that are several numbers each.
@@ -132,12 +137,12 @@ pub fn rows<const W: usize>(
     fr: &str,
 ) -> Parameter {
     let default = Default::List { fields, items: default.concat() };
-    Parameter { quantity: quantity(name, "", en, fr), default }
+    Parameter { quantity: quantity(name, "", en, fr), default, longest: LONGEST }
 }
 
 /// One of several words.
 pub fn choice(name: &str, options: &'static [&'static str], en: &str, fr: &str) -> Parameter {
-    Parameter { quantity: quantity(name, "", en, fr), default: Default::Choice(options) }
+    Parameter { quantity: quantity(name, "", en, fr), default: Default::Choice(options), longest: 1 }
 }
 
 impl Parameter {
@@ -157,6 +162,12 @@ impl Parameter {
     #[must_use]
     pub fn within(mut self, low: f64, high: f64) -> Self {
         self.quantity.range = Range { low, high, open: false };
+        self
+    }
+    /// A list of no more than so many items.
+    #[must_use]
+    pub fn at_most(mut self, items: usize) -> Self {
+        self.longest = items;
         self
     }
     /// A LaTeX symbol other than the one the name suggests.

@@ -2,6 +2,9 @@
 
 use precess_system::{Card, Coordinate, Layout, card, coordinate, list, number};
 
+/// The sum over all pairs grows with the square of this.
+const MOST_BODIES: usize = 2000;
+
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// The card with the two planets of P, exercise 9.1.
@@ -15,7 +18,12 @@ pub(super) fn card_of_two() -> Card {
         )
         .source("P, section 9 and exercise 9, figures 27 and 28")
         .parameter(number("k", "", 1.0, "constant of gravitation", "constante de gravitation"))
-        .parameter(list("masses", "", &[10.0, 1.0], "masses of the bodies", "masses des corps").not_negative().symbol("m"))
+        .parameter(
+            list("masses", "", &[10.0, 1.0], "masses of the bodies", "masses des corps")
+                .not_negative()
+                .symbol("m")
+                .at_most(MOST_BODIES),
+        )
         .parameter(
             number("softening", "", 0.0, "length that softens the pull", "longueur qui adoucit l'attraction")
                 .not_negative(),
