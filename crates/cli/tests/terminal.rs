@@ -45,7 +45,7 @@ impl Drop for Folder {
 
 /// The cone of T 6.1, computed apart from this program, at whole seconds: psi, theta, phi. At 1 and 2 by a Taylor
 /// method with 25 digits on T's printed equations (mpmath); at 10 by another form, the axis as a unit vector with
-/// psi and phi by quadrature (SciPy's DOP853 at 3e-14).
+/// psi and phi by quadrature (`SciPy`'s DOP853 at 3e-14).
 const CONE: [(f64, [f64; 3]); 3] = [
     (1.0, [6.370_670_712_251_813_8, 2.035_321_539_895_329_1, 64.325_578_936_895_228]),
     (2.0, [10.159_434_279_329_857, 0.893_826_690_812_350_73, 126.343_719_339_331_74]),
