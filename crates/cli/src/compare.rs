@@ -8,6 +8,7 @@ use crate::progress::{Progress, listen};
 use crate::run::{finish_plot, open_plot, unknown_suffix};
 use crate::subject::scenario;
 use precess::figure::{Curve, Figure, Panel};
+use precess::integrate::Failure::Interrupted;
 use precess::value::shortest;
 use precess::{Comparison, Contender, Plan};
 use std::fmt::Write as _;
@@ -16,7 +17,7 @@ use std::path::Path;
 
 /// Compares.
 pub fn compare(arguments: &Compare) -> Result<(), Failure> {
-    let scenario = scenario(&arguments.subject)?;
+    let scenario = scenario(&arguments.subject, None)?;
     let until = Plan::new(&scenario_for_time(&scenario))?.until;
     let (mut to_standard_output, mut file) = (false, None);
     match arguments.subject.output.as_deref() {
@@ -41,6 +42,14 @@ pub fn compare(arguments: &Compare) -> Result<(), Failure> {
     })?;
     if let Some((_, progress)) = bar {
         progress.finish();
+    }
+
+    let interrupted = comparison.contenders.iter().find_map(|c| match &c.outcome.failure {
+        Some(failure @ Interrupted { .. }) => Some(format!("{}: {failure}", c.method)),
+        _ => None,
+    });
+    if let Some(sentence) = interrupted {
+        return Err(Failure::Failed(sentence));
     }
 
     let table = csv(&comparison);

@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 /// A file that is being written beside the one it will replace.
 pub struct Output {
     place: PathBuf,
-    beside: PathBuf,
+    /// `None` for a device, which is written in place.
+    beside: Option<PathBuf>,
     file: Option<File>,
 }
 
@@ -23,11 +24,28 @@ impl Output {
         if fs::metadata(place).is_ok_and(|m| m.permissions().readonly()) {
             return Err(wrong("it is write-protected"));
         }
+        let old = fs::metadata(place).ok();
+        // A link is followed: the file that it names is the one that is replaced.
+        let place = &if old.is_some() {
+            fs::canonicalize(place).map_err(|e| wrong(&reason(&e)))?
+        } else {
+            place.into()
+        };
+        if let Some(old) = old.as_ref().filter(|m| !m.is_file()) {
+            // A device has nothing beside it, and no old content to lose.
+            debug_assert!(!old.is_dir());
+            let file = File::options().write(true).open(place).map_err(|e| wrong(&reason(&e)))?;
+            return Ok(Self { place: place.clone(), beside: None, file: Some(file) });
+        }
+        let name = place.file_name().unwrap_or(name);
         let mut beside = name.to_os_string();
         beside.push(format!(".{}.part", std::process::id()));
         let beside = place.with_file_name(beside);
         let file = File::create(&beside).map_err(|e| wrong(&reason(&e)))?;
-        Ok(Self { place: place.into(), beside, file: Some(file) })
+        if let Some(old) = old {
+            file.set_permissions(old.permissions()).map_err(|e| wrong(&reason(&e)))?;
+        }
+        Ok(Self { place: place.clone(), beside: Some(beside), file: Some(file) })
     }
 
     /// Writes the file and puts it in its place.
@@ -41,8 +59,10 @@ impl Output {
         drop(buffer);
         let place = format!("'{}'", self.place.display());
         written
-            .and_then(|()| file.sync_all())
-            .and_then(|()| fs::rename(&self.beside, &self.place))
+            .and_then(|()| match &self.beside {
+                Some(beside) => file.sync_all().and_then(|()| fs::rename(beside, &self.place)),
+                None => Ok(()),
+            })
             .map_err(|e| Failure::of_writing(&place, &e))
     }
 }
@@ -50,7 +70,9 @@ impl Output {
 impl Drop for Output {
     fn drop(&mut self) {
         // After a rename there is nothing beside any more; otherwise nothing half-written stays.
-        let _ = fs::remove_file(&self.beside);
+        if let Some(beside) = &self.beside {
+            let _ = fs::remove_file(beside);
+        }
     }
 }
 

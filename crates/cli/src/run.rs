@@ -26,10 +26,7 @@ enum Table {
 
 /// Runs.
 pub fn run(arguments: &Run) -> Result<(), Failure> {
-    let mut scenario = scenario(&arguments.subject)?;
-    if let Some(method) = &arguments.method {
-        scenario.method = Some(method.clone());
-    }
+    let mut scenario = scenario(&arguments.subject, arguments.method.as_deref())?;
     for given in &arguments.options {
         let (name, value) = assignment(given)?;
         Scenario::set(&mut scenario.run, name, value);

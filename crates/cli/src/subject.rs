@@ -7,11 +7,15 @@ use precess::{Error, Scenario};
 use std::io::Read;
 
 /// The scenario of a subject.
-pub fn scenario(subject: &Subject) -> Result<Scenario, Failure> {
+pub fn scenario(subject: &Subject, method: Option<&str>) -> Result<Scenario, Failure> {
     let name = &subject.name;
     let is_file = name == "-" || name.contains(['/', '\\']) || name.to_lowercase().ends_with(".toml");
     let mut scenario =
         if is_file { Scenario::parse(&read(name)?).map_err(|e| e.at(name))? } else { Scenario::of(name) };
+    if let Some(method) = method {
+        // The file's settings may be for another method; those of the command line, below, are for this one.
+        scenario = scenario.by(method)?;
+    }
     for given in &subject.parameters {
         let (name, value) = assignment(given)?;
         Scenario::set(&mut scenario.parameters, name, value);
@@ -48,11 +52,13 @@ pub fn assignment(text: &str) -> Result<(&str, Value), Failure> {
 fn read(name: &str) -> Result<String, Failure> {
     let unreadable = |e: &std::io::Error| Failure::Wrong(format!("cannot read '{name}': {}", reason(e)));
     let mut bytes = vec![];
+    // One byte more than a scenario may have is enough to refuse it: a device never ends.
+    let most = Scenario::LARGEST as u64 + 1;
     if name == "-" {
-        std::io::stdin().read_to_end(&mut bytes).map_err(|e| unreadable(&e))?;
+        std::io::stdin().take(most).read_to_end(&mut bytes).map_err(|e| unreadable(&e))?;
     } else {
-        match std::fs::read(name) {
-            Ok(read) => bytes = read,
+        match std::fs::File::open(name).and_then(|file| file.take(most).read_to_end(&mut bytes)) {
+            Ok(_) => {}
             // A scenario that comes with the program needs no file.
             Err(error) => match precess::scenarios::find(name) {
                 Some(built_in) => return Ok(built_in.into()),

@@ -52,7 +52,7 @@ pub fn summary(plan: &Plan, outcome: &Outcome, time: Duration) -> String {
 
 fn with_unit(x: f64, unit: &str) -> String {
     let digits = format!("{x:.6e}");
-    let plain = x.abs() >= 1e-3 && x.abs() < 1e6;
+    let plain = x == 0.0 || x.abs() >= 1e-3 && x.abs() < 1e6;
     let number = if plain { format!("{x:.6}") } else { digits };
     if unit.is_empty() { number } else { format!("{number} {unit}") }
 }
@@ -83,6 +83,6 @@ fn end(text: &mut String, outcome: &Outcome) {
     let Some(last) = outcome.trajectory.rows().last() else { return };
     let columns = outcome.trajectory.columns.iter().zip(last);
     let state = columns.filter(|(c, _)| c.kind == ColumnKind::State).take(8);
-    let state: Vec<String> = state.map(|(c, x)| format!("{} = {x:.6}", c.name)).collect();
+    let state: Vec<String> = state.map(|(c, x)| format!("{} = {}", c.name, with_unit(*x, ""))).collect();
     let _ = writeln!(text, "  at t = {} s: {}", shortest(last[0]), state.join(", "));
 }

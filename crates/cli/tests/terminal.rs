@@ -341,3 +341,26 @@ fn compare_puts_methods_side_by_side() {
     assert_eq!(errors.len(), 3);
     assert!(errors[0] > 1e-3 && errors[1] < 1e-9 && errors[2] < 1e-8, "{errors:?}");
 }
+
+/// At rest, dry friction jumps to and fro: an adaptive method must say so instead of going on for days.
+#[test]
+fn a_motion_that_an_adaptive_method_cannot_follow_ends_with_a_sentence() {
+    let run = precess(&["run", "pendulum", "-p", "dry=1"]);
+    assert_eq!(run.status.code(), Some(1), "{}", err(&run));
+    assert!(err(&run).contains("fixed-step method"), "{}", err(&run));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_followed_and_permissions_stay() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = Folder::new("link");
+    let (file, link) = (folder.file("file.csv"), folder.file("link.csv"));
+    std::fs::write(&file, "old").expect("a file");
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o640)).expect("permissions");
+    symlink(&file, &link).expect("a link");
+    assert!(precess(&["run", "pendulum", "--until", "1", "-q", "-o", &link]).status.success());
+    assert!(std::fs::read_to_string(&file).expect("a file").starts_with("t,theta"));
+    assert_eq!(std::fs::metadata(&file).expect("a file").permissions().mode() & 0o777, 0o640);
+    assert!(std::fs::symlink_metadata(&link).expect("a link").is_symlink());
+}

@@ -21,6 +21,11 @@ fn controller(order: u32) -> Controller {
     }
 }
 
+/// Steps tried between two looks at the pace.
+const BETWEEN_PACES: u64 = 1 << 18;
+/// More steps than this take hours even where a step costs a microsecond.
+const MOST_ATTEMPTS: f64 = 1e10;
+
 impl Engine<'_> {
     /// A run within a tolerance.
     pub fn adaptive(&mut self, tolerance: &Tolerance) -> Flow {
@@ -32,6 +37,7 @@ impl Engine<'_> {
         let (mut previous, mut rejected) = (FORGET, false);
         while self.due <= self.run.samples.last() {
             self.look()?;
+            self.keep_pace(until, h)?;
             h = if h.abs() <= self.limit { h } else { self.limit * h.signum() };
             let rest = until - self.t;
             let last = h.abs() * (1.0 + SLIVER) >= rest.abs();
@@ -57,6 +63,21 @@ impl Engine<'_> {
             }
         }
         ControlFlow::Continue(())
+    }
+
+    /// Every now and then: whether at the pace since the last look the end is within reach.
+    fn keep_pace(&mut self, until: f64, h: f64) -> Flow {
+        let tried = self.report.steps + self.report.rejections;
+        if tried == 0 || !tried.is_multiple_of(BETWEEN_PACES) {
+            return ControlFlow::Continue(());
+        }
+        let needed = (until - self.t).abs() / (self.t - self.paced).abs() * BETWEEN_PACES as f64;
+        self.paced = self.t;
+        if needed > MOST_ATTEMPTS {
+            fail(Failure::TooSlow { t: self.t, h })
+        } else {
+            ControlFlow::Continue(())
+        }
     }
 
     /// The step has shrunk below the resolution of time.

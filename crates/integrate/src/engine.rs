@@ -32,6 +32,8 @@ pub(crate) struct Engine<'a> {
     restarts: u32,
     /// The next step is at most this long: a flight between two jumps may be shorter than the one before.
     pub limit: f64,
+    /// The time at the last look at the pace.
+    pub paced: f64,
     /// Evaluations of the field outside the stepper.
     pub evaluations: u64,
     pub report: Report,
@@ -68,6 +70,7 @@ impl<'a> Engine<'a> {
             jumps: vec![],
             restarts: 0,
             limit: f64::INFINITY,
+            paced: 0.0,
             evaluations: 0,
             report: Report::default(),
             record,

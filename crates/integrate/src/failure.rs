@@ -22,6 +22,13 @@ pub enum Failure {
         /// The step.
         h: f64,
     },
+    /// At this pace the run would not end in a day.
+    TooSlow {
+        /// Time reached.
+        t: f64,
+        /// The latest steps.
+        h: f64,
+    },
     /// An implicit step did not converge.
     NoConvergence {
         /// Time reached.
@@ -50,6 +57,7 @@ impl Failure {
             Self::Refused { .. } => 0.0,
             Self::Diverged { t }
             | Self::StepTooSmall { t, .. }
+            | Self::TooSlow { t, .. }
             | Self::NoConvergence { t, .. }
             | Self::TooManyEvents { t }
             | Self::Interrupted { t } => t,
@@ -63,25 +71,31 @@ impl fmt::Display for Failure {
             Self::Refused { what } => f.write_str(what),
             Self::Diverged { t } => write!(
                 f,
-                "the state is no longer finite after t = {t} s: the motion diverges there, or the step is too \
+                "the state is no longer finite after t = {t:?} s: the motion diverges there, or the step is too \
                  long (try a smaller dt, or dop853)"
             ),
             Self::StepTooSmall { t, h } => write!(
                 f,
-                "at t = {t} s a step of {h:.1e} s would be needed, which is below the resolution of time: \
+                "at t = {t:?} s a step of {h:.1e} s would be needed, which is below the resolution of time: \
                  the motion is singular there, or the tolerance too tight (try a larger rtol)"
+            ),
+            Self::TooSlow { t, h } => write!(
+                f,
+                "at t = {t:?} s the tolerance allows steps of about {h:.1e} s only, too short to reach the end: the \
+                 motion is stiff or jumps there, or the run is too long (try a larger rtol, an earlier end, or a \
+                 fixed-step method)"
             ),
             Self::NoConvergence { t, h, iterations } => write!(
                 f,
-                "at t = {t} s the loop of the implicit step did not converge in {iterations} iterations with a \
-                 step of {h} s (try a smaller dt)"
+                "at t = {t:?} s the loop of the implicit step did not converge in {iterations} iterations with a \
+                 step of {h:?} s (try a smaller dt)"
             ),
             Self::TooManyEvents { t } => write!(
                 f,
-                "at t = {t} s events follow one another without time passing: the motion comes to rest at the \
+                "at t = {t:?} s events follow one another without time passing: the motion comes to rest at the \
                  event, or the jump does not lead away from it (stop the run there, or check the parameters)"
             ),
-            Self::Interrupted { t } => write!(f, "interrupted at t = {t} s"),
+            Self::Interrupted { t } => write!(f, "interrupted at t = {t:?} s"),
         }
     }
 }

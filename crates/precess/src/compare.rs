@@ -5,7 +5,6 @@ use crate::plan::Plan;
 use crate::scenario::Scenario;
 use crate::value::Value;
 use crate::{Drift, Outcome, drifts, run};
-use precess_integrate::Kind;
 use precess_scalar::Scalar;
 use precess_system::Trajectory;
 use std::ops::ControlFlow;
@@ -50,7 +49,7 @@ pub fn compare(
 ) -> Result<Comparison, Error> {
     let plans: Vec<(String, Plan)> = methods
         .iter()
-        .map(|id| Ok((id.clone(), Plan::new(&under(scenario, id)?)?)))
+        .map(|id| Ok((id.clone(), Plan::new(&scenario.by(id)?)?)))
         .collect::<Result<_, Error>>()?;
     let references = REFERENCE.map(|tolerance| {
         let mut tight = scenario.clone();
@@ -75,20 +74,6 @@ pub fn compare(
         }
     });
     Ok(Comparison { contenders: contenders.collect(), floor: distance(&looser, &reference) })
-}
-
-/// The scenario under one method: of the step settings only those that it understands are kept.
-fn under(scenario: &Scenario, id: &str) -> Result<Scenario, Error> {
-    let card = crate::catalogue::method(id)?.card();
-    let mut own = scenario.clone();
-    own.method = Some(id.into());
-    own.run.retain(|(name, _)| match name.as_str() {
-        "dt" => card.kind == Kind::Fixed,
-        "rtol" | "atol" => card.kind == Kind::Adaptive,
-        "until" | "every" => true,
-        option => card.options.iter().any(|o| o.name == option),
-    });
-    Ok(own)
 }
 
 /// The largest distance between two runs with the same samples.

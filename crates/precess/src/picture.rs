@@ -78,6 +78,9 @@ fn shared_label(columns: &[Quantity], indices: &[usize]) -> String {
     }
 }
 
+/// More paths than this cannot be told apart.
+const MOST_PATHS: usize = 16;
+
 fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: &View) -> Panel {
     // A law holds the names in every view against the card; a name that is none draws nothing.
     let index = |name: &str| resolve::column(plan, name).ok();
@@ -93,7 +96,7 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
         View::Plane { pairs, equal_scales } => {
             let pairs = expand(plan, pairs);
             let known = pairs.iter().filter_map(|(x, y)| index(x).zip(index(y)));
-            let known: Vec<(usize, usize)> = known.collect();
+            let known: Vec<(usize, usize)> = known.take(MOST_PATHS).collect();
             let many = known.len() > 1;
             // Several bodies share their axes: the names without the number.
             let label = |k: usize| match axis(&columns[k]) {
@@ -157,7 +160,10 @@ fn drift_panel(trajectory: &Trajectory) -> Option<Panel> {
         })
         .collect();
     (!curves.is_empty()).then(|| Panel {
-        title: "Drift of the invariants, relative to the start".into(),
+        title: match &curves[..] {
+            [one] => format!("Drift of {}, relative to the start", one.label),
+            _ => "Drift of the invariants, relative to the start".into(),
+        },
         x_label: "t [s]".into(),
         logarithmic: true,
         curves,

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, input, quoted, unknown};
 use crate::value::{self, Value};
+use precess_integrate::Kind;
 use std::borrow::Cow;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -55,10 +56,10 @@ pub struct FigureSpec {
 
 /// The newest format that is understood.
 const FORMAT: &str = "1";
-/// A larger file is no scenario.
-const LARGEST: usize = 16 << 20;
-
 impl Scenario {
+    /// A larger file is no scenario.
+    pub const LARGEST: usize = 16 << 20;
+
     /// A system with the card's defaults.
     pub fn of(system: &str) -> Self {
         Self { system: system.into(), ..Self::default() }
@@ -69,7 +70,7 @@ impl Scenario {
     /// # Errors
     /// One sentence with the line and the nearest known name.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        if text.len() > LARGEST {
+        if text.len() > Self::LARGEST {
             return input("the file is larger than 16 MiB: that is no scenario");
         }
         let root = DeTable::parse(text).map_err(|e| {
@@ -132,6 +133,23 @@ impl Scenario {
             }
         }
         Ok(())
+    }
+
+    /// The scenario under another method: of the settings only those that it understands are kept.
+    ///
+    /// # Errors
+    /// Where there is no such method.
+    pub fn by(&self, method: &str) -> Result<Self, Error> {
+        let card = crate::catalogue::method(method)?.card();
+        let mut own = self.clone();
+        own.method = Some(method.into());
+        own.run.retain(|(name, _)| match name.as_str() {
+            "dt" => card.kind == Kind::Fixed,
+            "rtol" | "atol" => card.kind == Kind::Adaptive,
+            "until" | "every" => true,
+            option => card.options.iter().any(|o| o.name == option),
+        });
+        Ok(own)
     }
 
     /// Sets a value among named ones, in place of an earlier one.
