@@ -10,7 +10,7 @@ use crate::subject::scenario;
 use precess::figure::{Curve, Figure, Panel};
 use precess::integrate::Failure::Interrupted;
 use precess::value::shortest;
-use precess::{Comparison, Contender, Plan};
+use precess::{Comparison, Contender, Plan, departures};
 use std::fmt::Write as _;
 use std::io::Write;
 use std::path::Path;
@@ -18,7 +18,7 @@ use std::path::Path;
 /// Compares.
 pub fn compare(arguments: &Compare) -> Result<(), Failure> {
     let scenario = scenario(&arguments.subject, None)?;
-    let until = Plan::new(&scenario_for_time(&scenario))?.until;
+    let until = Plan::new(&scenario.for_reference())?.until;
     let (mut to_standard_output, mut file) = (false, None);
     match arguments.subject.output.as_deref() {
         None => {}
@@ -66,14 +66,6 @@ pub fn compare(arguments: &Compare) -> Result<(), Failure> {
     }
     let all_failed = comparison.contenders.iter().all(|c| c.outcome.failure.is_some());
     if all_failed { Err(Failure::Failed("every method failed".into())) } else { Ok(()) }
-}
-
-/// Only the end time is asked of this plan: step settings are for the methods that understand them.
-fn scenario_for_time(scenario: &precess::Scenario) -> precess::Scenario {
-    let mut own = scenario.clone();
-    own.method = Some("dop853".into());
-    own.run.retain(|(name, _)| ["until", "every"].contains(&name.as_str()));
-    own
 }
 
 fn names(comparison: &Comparison) -> Vec<&str> {
@@ -146,8 +138,5 @@ fn figure(system: &str, comparison: &Comparison) -> Figure {
 fn curve(contender: &Contender, name: &str) -> Option<Curve> {
     let trajectory = &contender.outcome.trajectory;
     let values = trajectory.column(name)?;
-    let start = *values.first()?;
-    let scale = if start == 0.0 { 1.0 } else { start.abs() };
-    let y = values.iter().map(|x| (x - start).abs() / scale).collect();
-    Some(Curve { label: contender.method.clone(), x: trajectory.column("t")?, y })
+    Some(Curve { label: contender.method.clone(), x: trajectory.column("t")?, y: departures(&values) })
 }

@@ -18,34 +18,28 @@ impl Output {
     pub fn create(place: &Path) -> Result<Self, Failure> {
         let wrong = |why: &str| Failure::Wrong(format!("cannot write '{}': {why}", place.display()));
         let Some(name) = place.file_name() else { return Err(wrong("that is no file name")) };
-        if place.is_dir() {
-            return Err(wrong("that is a directory"));
-        }
-        if fs::metadata(place).is_ok_and(|m| m.permissions().readonly()) {
-            return Err(wrong("it is write-protected"));
-        }
+        let failed = |e: std::io::Error| wrong(&reason(&e));
         let old = fs::metadata(place).ok();
-        // A link is followed: the file that it names is the one that is replaced.
-        let place = &if old.is_some() {
-            fs::canonicalize(place).map_err(|e| wrong(&reason(&e)))?
-        } else {
-            place.into()
-        };
-        if let Some(old) = old.as_ref().filter(|m| !m.is_file()) {
-            // A device has nothing beside it, and no old content to lose.
-            debug_assert!(!old.is_dir());
-            let file = File::options().write(true).open(place).map_err(|e| wrong(&reason(&e)))?;
-            return Ok(Self { place: place.clone(), beside: None, file: Some(file) });
+        match &old {
+            Some(old) if old.is_dir() => return Err(wrong("that is a directory")),
+            Some(old) if old.permissions().readonly() => return Err(wrong("it is write-protected")),
+            Some(old) if !old.is_file() => {
+                // A device has nothing beside it, and no old content to lose.
+                let file = File::options().write(true).open(place).map_err(failed)?;
+                return Ok(Self { place: place.into(), beside: None, file: Some(file) });
+            }
+            _ => {}
         }
-        let name = place.file_name().unwrap_or(name);
-        let mut beside = name.to_os_string();
+        // A link is followed: the file that it names is the one that is replaced.
+        let place = if old.is_some() { fs::canonicalize(place).map_err(failed)? } else { place.into() };
+        let mut beside = place.file_name().unwrap_or(name).to_os_string();
         beside.push(format!(".{}.part", std::process::id()));
         let beside = place.with_file_name(beside);
-        let file = File::create(&beside).map_err(|e| wrong(&reason(&e)))?;
+        let file = File::create(&beside).map_err(failed)?;
         if let Some(old) = old {
-            file.set_permissions(old.permissions()).map_err(|e| wrong(&reason(&e)))?;
+            file.set_permissions(old.permissions()).map_err(failed)?;
         }
-        Ok(Self { place: place.clone(), beside: Some(beside), file: Some(file) })
+        Ok(Self { place, beside: Some(beside), file: Some(file) })
     }
 
     /// Writes the file and puts it in its place.

@@ -52,9 +52,7 @@ pub fn compare(
         .map(|id| Ok((id.clone(), Plan::new(&scenario.by(id)?)?)))
         .collect::<Result<_, Error>>()?;
     let references = REFERENCE.map(|tolerance| {
-        let mut tight = scenario.clone();
-        tight.run.retain(|(name, _)| ["until", "every"].contains(&name.as_str()));
-        tight.method = Some("dop853".into());
+        let mut tight = scenario.for_reference();
         tight.run.push(("rtol".into(), Value::number(tolerance)));
         tight.run.push(("atol".into(), Value::number(tolerance)));
         Plan::new(&tight).map(|plan| run(&plan, &mut |t| progress("reference", t)).trajectory)

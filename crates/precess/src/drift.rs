@@ -23,6 +23,13 @@ impl Drift {
     }
 }
 
+/// How far each value lies from the first, relative to it; absolutely where the first is zero.
+pub fn departures(values: &[f64]) -> Vec<f64> {
+    let start = values.first().copied().unwrap_or(f64::NAN);
+    let scale = if start == 0.0 { 1.0 } else { start.abs() };
+    values.iter().map(|x| (x - start).abs() / scale).collect()
+}
+
 /// The drift of every invariant, in the order of the columns.
 pub fn drifts(trajectory: &Trajectory) -> Vec<Drift> {
     let columns = trajectory.columns.iter().enumerate();

@@ -23,7 +23,7 @@ pub mod value;
 pub use canonical::scenario_toml;
 pub use compare::{Comparison, Contender, compare};
 pub use describe::{Equations, equations, record};
-pub use drift::{Drift, drifts};
+pub use drift::{Drift, departures, drifts};
 pub use error::{Error, unknown};
 pub use hash::hash;
 pub use picture::picture;

@@ -1,16 +1,16 @@
 //! The figure of a run: the scenario's panels, or the card's views and the drift of the invariants.
 
 use crate::canonical::scenario_toml;
+use crate::drift::departures;
 use crate::figure::{Curve, Figure, Mark, Panel};
 use crate::plan::{PanelPlan, Plan, Step};
-use crate::resolve;
 use precess_system::{ColumnKind, Quantity, Trajectory, View};
 
 /// The figure of a run.
 pub fn picture(plan: &Plan, trajectory: &Trajectory) -> Figure {
     let columns = plan.columns();
     let mut panels: Vec<Panel> = if plan.panels.is_empty() {
-        plan.card.views.iter().map(|view| view_panel(plan, &columns, trajectory, view)).collect()
+        plan.card.views.iter().map(|view| view_panel(&columns, trajectory, view)).collect()
     } else {
         plan.panels.iter().map(|p| scenario_panel(p, &columns, trajectory)).collect()
     };
@@ -81,9 +81,9 @@ fn shared_label(columns: &[Quantity], indices: &[usize]) -> String {
 /// More paths than this cannot be told apart.
 const MOST_PATHS: usize = 16;
 
-fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: &View) -> Panel {
+fn view_panel(columns: &[Quantity], trajectory: &Trajectory, view: &View) -> Panel {
     // A law holds the names in every view against the card; a name that is none draws nothing.
-    let index = |name: &str| resolve::column(plan, name).ok();
+    let index = |name: &str| columns.iter().position(|q| q.name == name);
     match view {
         View::Time(names) => {
             let y = names.iter().filter_map(|name| index(name)).collect();
@@ -94,7 +94,7 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
             )
         }
         View::Plane { pairs, equal_scales } => {
-            let pairs = expand(plan, pairs);
+            let pairs = expand(columns, pairs);
             let known = pairs.iter().filter_map(|(x, y)| index(x).zip(index(y)));
             let known: Vec<(usize, usize)> = known.take(MOST_PATHS).collect();
             let many = known.len() > 1;
@@ -129,16 +129,16 @@ fn view_panel(plan: &Plan, columns: &[Quantity], trajectory: &Trajectory, view: 
 }
 
 /// The pair (`x*`, `y*`) stands for (`x0`, `y0`), (`x1`, `y1`), ... as far as there are such coordinates.
-fn expand(plan: &Plan, pairs: &[(String, String)]) -> Vec<(String, String)> {
+fn expand(columns: &[Quantity], pairs: &[(String, String)]) -> Vec<(String, String)> {
     let mut all = vec![];
     for (x, y) in pairs {
         if !x.ends_with('*') {
             all.push((x.clone(), y.clone()));
             continue;
         }
-        for k in 0..plan.layout.coordinates.len() {
+        for k in 0..columns.len() {
             let pair = (x.replace('*', &k.to_string()), y.replace('*', &k.to_string()));
-            if resolve::column(plan, &pair.0).is_err() {
+            if !columns.iter().any(|q| q.name == pair.0) {
                 break;
             }
             all.push(pair);
@@ -153,10 +153,8 @@ fn drift_panel(trajectory: &Trajectory) -> Option<Panel> {
     let times: Vec<f64> = trajectory.rows().map(|row| row[0]).collect();
     let curves: Vec<Curve> = invariants
         .map(|(k, column)| {
-            let start = trajectory.rows().next().map_or(f64::NAN, |row| row[k]);
-            let scale = if start == 0.0 { 1.0 } else { start.abs() };
-            let y = trajectory.rows().map(|row| (row[k] - start).abs() / scale).collect();
-            Curve { label: readable(&column.name), x: times.clone(), y }
+            let values: Vec<f64> = trajectory.rows().map(|row| row[k]).collect();
+            Curve { label: readable(&column.name), x: times.clone(), y: departures(&values) }
         })
         .collect();
     (!curves.is_empty()).then(|| Panel {

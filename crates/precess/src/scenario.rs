@@ -152,6 +152,14 @@ impl Scenario {
         Ok(own)
     }
 
+    /// The scenario by `dop853`, of the settings only the end and the samples: what a comparison is held against.
+    pub fn for_reference(&self) -> Self {
+        let mut own = self.clone();
+        own.method = Some("dop853".into());
+        own.run.retain(|(name, _)| ["until", "every"].contains(&name.as_str()));
+        own
+    }
+
     /// Sets a value among named ones, in place of an earlier one.
     pub fn set(list: &mut Vec<(String, Value)>, name: &str, value: Value) {
         match list.iter_mut().find(|(n, _)| n == name) {
