@@ -23,6 +23,7 @@ const SAFETY: f64 = 0.9;
 impl Controller {
     /// The factor for the next step; an error above one means that the step is to be repeated. An error that is
     /// NaN gives the smallest factor.
+    #[inline(always)]
     pub fn factor<S: Scalar>(&self, error: S, previous: S) -> S {
         let alpha = self.exponent - 0.75 * self.beta;
         let mut factor = error.powf(S::from(-alpha)) * SAFETY;
@@ -48,6 +49,7 @@ pub struct Tolerance {
 
 impl Tolerance {
     /// One over the tolerated error of each component; zero for those left out.
+    #[inline(always)]
     pub fn weights<S: Scalar>(&self, before: &[S], after: &[S], weights: &mut [S]) {
         for (i, weight) in weights.iter_mut().enumerate() {
             let size = before[i].abs().larger(after[i].abs());
@@ -61,6 +63,7 @@ impl Tolerance {
 
 /// Root mean square of weighted components, summed in the order of the components; those of weight zero do not
 /// count, so that a resting mode does not make the others look better than they are.
+#[inline(always)]
 pub(crate) fn norm<S: Scalar>(components: &[S], weights: &[S]) -> S {
     let (zero, one) = (S::from(0.0), S::from(1.0));
     let (mut sum, mut count) = (zero, zero);

@@ -1,7 +1,7 @@
 //! What runs at either pace have in common: the end of a step, with its samples and events.
 
 use crate::event::Scanner;
-use crate::{Dense, Drive, Failure, Kind, Occurred, Pace, Report, Source, Stepper, Steps};
+use crate::{Dense, Drive, Failure, Kind, Occurred, Pace, Report, Source, Step, Stepper, Steps};
 use std::ops::ControlFlow;
 
 /// What ends a run before its time.
@@ -117,7 +117,8 @@ impl<'a> Engine<'a> {
     }
 
     pub fn attempt(&mut self, h: f64) -> Flow {
-        match self.stepper.step(self.run.field, self.t, &self.y, h, &mut self.next) {
+        let step = &mut Step { field: self.run.field, t: self.t, y: &self.y, h, out: &mut self.next };
+        match self.stepper.step(step) {
             Ok(()) => ControlFlow::Continue(()),
             Err(e) => fail(Failure::NoConvergence { t: self.t, h, iterations: e.iterations }),
         }

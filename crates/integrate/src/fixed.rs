@@ -2,10 +2,8 @@
 
 use crate::Failure;
 use crate::engine::{Engine, Flow, fail};
+use crate::stretch::Stretch;
 use std::ops::ControlFlow;
-
-/// A remainder below this share of a step is merged into the last step before a sample.
-const MERGED: f64 = 1e-9;
 
 impl Engine<'_> {
     /// A run with steps of length `dt`.
@@ -26,18 +24,12 @@ impl Engine<'_> {
 
     /// Steps up to a time; true where an event has cut them short.
     fn stretch(&mut self, dt: f64, to: f64) -> ControlFlow<crate::engine::End, bool> {
-        let from = self.t;
-        let whole = ((to - from) / dt - MERGED).ceil();
-        let steps = if whole < 1.0 { 1 } else { whole as u64 };
-        for n in 1..steps {
-            if self.step(dt, from + n as f64 * dt)? {
+        for (h, end) in Stretch::new(self.t, to, dt) {
+            if self.step(h, end)? {
                 return ControlFlow::Continue(true);
             }
         }
-        // A last step that differs from dt by no more than the rounding of the times is dt.
-        let rest = to - self.t;
-        let rounding = 4.0 * f64::EPSILON * if from.abs() < to.abs() { to.abs() } else { from.abs() };
-        self.step(if (rest - dt).abs() <= rounding { dt } else { rest }, to)
+        ControlFlow::Continue(false)
     }
 
     fn step(&mut self, h: f64, end: f64) -> ControlFlow<crate::engine::End, bool> {

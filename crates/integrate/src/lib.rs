@@ -4,26 +4,30 @@
 //! and the drive that joins them are parts of their own, so that each method gets all of them.
 
 mod adaptive;
+mod block;
 mod coefficient;
 mod controller;
 mod dense;
 mod drive;
 mod engine;
+mod entered;
 mod event;
 mod failure;
 mod fixed;
 mod method;
 mod methods;
 mod samples;
+mod stretch;
 mod tableau;
 
+pub use block::Block;
 pub use controller::{Controller, Tolerance};
 pub use dense::Dense;
 pub use drive::{Drive, Pace, Report, drive};
 pub use event::{Observed, Occurred, Source, Watched};
 pub use failure::Failure;
 pub use method::{
-    AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper, Steps,
+    AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper, Steps,
 };
 pub use methods::METHODS;
 pub use samples::Samples;

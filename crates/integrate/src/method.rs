@@ -1,7 +1,8 @@
 //! What a method is: its card, and a stepper for every number.
 
 use crate::Dense;
-use precess_scalar::{Batch, DoubleDouble, Dual, Scalar};
+use crate::entered::Entered;
+use precess_scalar::{DoubleDouble, Dual, Narrow, Scalar, Wide, Widest};
 use precess_system::{Field, Shape};
 use std::fmt;
 
@@ -111,14 +112,30 @@ impl fmt::Display for NoConvergence {
 }
 impl std::error::Error for NoConvergence {}
 
+/// A step to be taken.
+///
+/// It travels by reference: a register that is copied piece by piece on the way cannot be loaded as a whole before
+/// the pieces have reached the cache, and no step would begin before the one before has ended.
+pub struct Step<'a, S: Scalar> {
+    /// The system.
+    pub field: &'a dyn Field<S>,
+    /// Time at the start.
+    pub t: S,
+    /// State at the start; all states are full ones (see [`Shape`]).
+    pub y: &'a [S],
+    /// Length.
+    pub h: S,
+    /// State at the end.
+    pub out: &'a mut [S],
+}
+
 /// Takes steps over one kind of number. A step may differ from lane to lane.
 pub trait Stepper<S: Scalar>: Send {
-    /// One step of length `h` from (`t`, `y`) to `out`, all of the full state of [`Shape`].
+    /// Takes a step.
     ///
     /// # Errors
     /// Where an implicit step does not converge.
-    fn step(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, out: &mut [S])
-    -> Result<(), NoConvergence>;
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence>;
 
     /// The estimated error of the last step, as a root mean square over components weighted by `weights`
     /// (one over the tolerated error; zero for components left out). Zero for methods without an estimate.
@@ -146,10 +163,14 @@ pub trait Stepper<S: Scalar>: Send {
 
 /// An integration method, written once for every number.
 pub trait Method: Sync + 'static {
+    /// Its stepper. `step` and `error` are `#[inline(always)]`, so that they are compiled for the instructions of
+    /// their number (see [`Kernel`](precess_scalar::Kernel)).
+    type Steps<S: Scalar + Send>: Stepper<S> + 'static;
+
     /// What is known of it.
     fn card(&self) -> &'static MethodCard;
     /// A stepper for states of this shape.
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>>;
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Self::Steps<S>;
 }
 
 /// Makes steppers over one kind of number.
@@ -160,13 +181,13 @@ pub trait Steps<S: Scalar> {
 
 impl<M: Method, S: Scalar + Send> Steps<S> for M {
     fn stepper(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
-        Method::stepper(self, shape, options)
+        Box::new(Entered(Method::stepper(self, shape, options)))
     }
 }
 
 /// A method whose type is forgotten.
 pub trait AnyMethod:
-    Sync + Steps<f64> + Steps<DoubleDouble> + Steps<Dual<f64>> + Steps<Batch<4>> + Steps<Batch<8>>
+    Sync + Steps<f64> + Steps<DoubleDouble> + Steps<Dual<f64>> + Steps<Narrow> + Steps<Wide> + Steps<Widest>
 {
     /// See [`Method::card`].
     fn card(&self) -> &'static MethodCard;

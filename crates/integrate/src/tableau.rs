@@ -2,7 +2,7 @@
 
 use crate::coefficient::Coefficient;
 use crate::controller::norm;
-use crate::{Dense, NoConvergence, Stepper};
+use crate::{Dense, NoConvergence, Step, Stepper};
 use precess_scalar::Scalar;
 use precess_system::{Field, Shape};
 
@@ -32,12 +32,12 @@ pub(crate) struct Tableau {
 
 impl Tableau {
     /// A stepper for states of this shape.
-    pub fn stepper<S: Scalar + Send>(&'static self, shape: &Shape) -> Box<dyn Stepper<S>> {
-        let zeros = vec![S::from(0.0); shape.full()];
+    pub fn stepper<S: Scalar + Send>(&'static self, shape: &Shape) -> Steps<S> {
+        let zeros = vec![S::from(0.0); shape.size()];
         let stages = self.nodes.len() + 1 + self.extra_nodes.len();
         let end = std::iter::once(S::from(1.0));
         let nodes = self.nodes.iter().map(|c| c.value());
-        Box::new(Steps {
+        Steps {
             nodes: nodes.chain(end).chain(self.extra_nodes.iter().map(|c| c.value())).collect(),
             stages: values(self.stages),
             weights: values(&[self.weights]),
@@ -48,7 +48,7 @@ impl Tableau {
             state: zeros,
             first_known: false,
             evaluations: 0,
-        })
+        }
     }
 }
 
@@ -59,7 +59,8 @@ fn values<S: Scalar>(rows: &[Row]) -> Values<S> {
     rows.iter().map(|row| row.iter().map(|(stage, c)| (*stage, c.value())).collect()).collect()
 }
 
-struct Steps<S> {
+/// The stages and what else a step needs.
+pub struct Steps<S> {
     nodes: Vec<S>,
     stages: Values<S>,
     weights: Values<S>,
@@ -74,6 +75,7 @@ struct Steps<S> {
 }
 
 /// The sum of stages, component by component, in the order of the row.
+#[inline(always)]
 fn combine<S: Scalar>(row: &[(usize, S)], k: &[Vec<S>], i: usize) -> S {
     let Some((&(first, c), terms)) = row.split_first() else { return S::from(0.0) };
     terms.iter().fold(k[first][i] * c, |sum, &(j, c)| sum + k[j][i] * c)
@@ -86,6 +88,7 @@ impl<S: Scalar> Steps<S> {
     }
 
     /// Evaluates a stage from its row: its state lies along the stages before.
+    #[inline(always)]
     fn stage(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, extra: bool, n: usize) {
         let (row, stage) =
             if extra { (&self.extra_stages[n], self.stages.len() + 2 + n) } else { (&self.stages[n], n + 1) };
@@ -97,6 +100,7 @@ impl<S: Scalar> Steps<S> {
     }
 
     /// Weighted root mean square of an error row, over one step of unit length.
+    #[inline(always)]
     fn estimate(&mut self, which: usize, weights: &[S]) -> S {
         for (i, state) in self.state.iter_mut().enumerate() {
             *state = combine(&self.errors[which], &self.k, i);
@@ -106,14 +110,9 @@ impl<S: Scalar> Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        let Step { field, t, y, h, ref mut out } = *step;
         if !self.first_known {
             field.rate(t, y, &mut self.k[0]);
             self.evaluations += 1;
@@ -131,6 +130,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         Ok(())
     }
 
+    #[inline(always)]
     fn error(&mut self, h: S, weights: &[S]) -> S {
         let first = self.estimate(0, weights);
         if self.errors[1].is_empty() {

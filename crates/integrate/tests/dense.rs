@@ -4,7 +4,7 @@ mod toys;
 
 use precess_integrate::{METHODS, Options};
 use precess_scalar::{DoubleDouble, Scalar};
-use toys::{method, pendulum, stepper};
+use toys::{method, pendulum, stepper, take};
 
 type Dd = DoubleDouble;
 
@@ -17,7 +17,7 @@ fn interior_error(id: &str, h: f64) -> f64 {
     // The ends are exact up to the method's own error: take them from the finest method, so that only the
     // polynomial between them is measured.
     let mut steps = stepper::<Dd>(method(id), &field, &Options::default());
-    steps.step(&field, t, &start, h, &mut end).expect("converges");
+    take(&mut *steps, &field, t, &start, h, &mut end).expect("converges");
     let dense = steps.dense(&field, t, &start, h, &end);
     let mut worst = 0.0;
     for k in 1..16 {
@@ -57,7 +57,7 @@ fn the_ends_are_the_very_numbers_of_the_step() {
             let (t, h) = (10.0 * random(), 0.3 * random());
             let (start, mut end) = ([random(), random() - 0.5], [0.0; 2]);
             let mut steps = stepper::<f64>(method(m.id), &field, &Options::default());
-            steps.step(&field, t, &start, h, &mut end).expect("converges");
+            take(&mut *steps, &field, t, &start, h, &mut end).expect("converges");
             let stop = t + h;
             let dense = steps.dense(&field, t, &start, h, &end).ending(stop);
             let mut y = [0.0; 2];

@@ -1,54 +1,100 @@
-//! A lane gives the bits of the plain number, whatever its neighbours do.
+//! A lane gives the bits of the plain number, whatever its neighbours do, in whatever row.
 
 mod toys;
 
-use precess_integrate::{METHODS, Needs, Options};
-use precess_scalar::Batch;
+use precess_integrate::{AnyMethod, Block, Samples};
+use precess_integrate::{METHODS, Needs, Options, Steps};
+use precess_scalar::{Isa, Lanes, with_lanes};
 use precess_system::Field;
-use toys::{method, mixed, pendulum, stepper};
+use toys::{method, mixed, pendulum, stepper, take};
 
-const W: usize = 8;
-
-fn check(id: &str, field: &(impl Field<f64> + Field<Batch<W>>), size: usize) {
+/// Steps of different lengths in different lanes, with their estimates of the error.
+fn check_steps<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: usize)
+where
+    dyn AnyMethod: Steps<S>,
+{
     let options = Options::default();
     let start = |lane: usize, i: usize| 0.3 + 0.1 * lane as f64 - 0.25 * i as f64;
-    let step = |lane: usize| 0.02 * (1 + lane) as f64;
-    let mut wide: Vec<Batch<W>> = (0..size).map(|i| Batch(std::array::from_fn(|l| start(l, i)))).collect();
-    let (mut out, h) = (wide.clone(), Batch(std::array::from_fn(step)));
-    let mut steps = stepper::<Batch<W>>(method(id), field, &options);
-    let mut t = Batch::splat(0.0);
+    let length = |lane: usize| 0.02 * (1 + lane) as f64;
+    let mut wide: Vec<S> = (0..size).map(|i| S::from_lanes(|lane| start(lane, i))).collect();
+    let (mut out, h) = (wide.clone(), S::from_lanes(length));
+    let mut steps = stepper::<S>(method(id), field, &options);
+    let mut t = S::from(0.0);
     let mut errors = vec![];
     for _ in 0..50 {
-        steps.step(field, t, &wide, h, &mut out).expect("converges");
-        errors.push(steps.error(h, &vec![Batch::splat(1e8); size]));
+        take(&mut *steps, field, t, &wide, h, &mut out).expect("converges");
+        errors.push(steps.error(h, &vec![S::from(1e8); size]));
         steps.accept();
         wide.copy_from_slice(&out);
         t = t + h;
     }
-    for lane in 0..W {
+    for lane in 0..S::LANES {
         let mut y: Vec<f64> = (0..size).map(|i| start(lane, i)).collect();
         let (mut out, mut t) = (y.clone(), 0.0);
         let mut steps = stepper::<f64>(method(id), field, &options);
         for wide in &errors {
-            steps.step(field, t, &y, step(lane), &mut out).expect("converges");
-            let error = steps.error(step(lane), &vec![1e8; size]);
-            assert_eq!(error.to_bits(), wide.0[lane].to_bits(), "{id}, the estimate, lane {lane}");
+            take(&mut *steps, field, t, &y, length(lane), &mut out).expect("converges");
+            let error = steps.error(length(lane), &vec![1e8; size]);
+            assert_eq!(error.to_bits(), wide.lanes()[lane].to_bits(), "{id}, the estimate, lane {lane}");
             steps.accept();
             y.copy_from_slice(&out);
-            t += step(lane);
+            t += length(lane);
         }
         for (x, wide) in y.iter().zip(&wide) {
-            assert_eq!(x.to_bits(), wide.0[lane].to_bits(), "{id}, lane {lane}");
+            assert_eq!(x.to_bits(), wide.lanes()[lane].to_bits(), "{id}, lane {lane}");
         }
+    }
+}
+
+fn check_every_method<S: Lanes>()
+where
+    dyn AnyMethod: Steps<S>,
+{
+    for m in METHODS.iter().map(|m| m.card()) {
+        if m.needs == Needs::Any {
+            check_steps::<S>(m.id, &mixed(), 3);
+            check_block::<S>(m.id, &mixed(), 3);
+        }
+        check_steps::<S>(m.id, &pendulum(0.0), 2);
+        check_block::<S>(m.id, &pendulum(0.0), 2);
     }
 }
 
 #[test]
 fn every_method_gives_the_same_bits_in_a_lane_and_alone() {
-    for m in METHODS.iter().map(|m| m.card()) {
-        if m.needs == Needs::Any {
-            check(m.id, &mixed(), 3);
+    for isa in Isa::available() {
+        with_lanes!(isa, S => check_every_method::<S>());
+    }
+}
+
+/// The last states of trajectories from a block.
+fn ends<S: Lanes>(id: &str, field: &dyn Field<S>, starts: &[f64], size: usize) -> Vec<u64>
+where
+    dyn AnyMethod: Steps<S>,
+{
+    let samples = Samples::new(1.0, 0.3);
+    let block = Block { field, method: method(id), options: Options::default(), samples, dt: 0.04 };
+    let mut ends = vec![0; starts.len()];
+    let mut record = |_, trajectory: usize, y: &[f64]| {
+        for (i, x) in y.iter().enumerate() {
+            ends[trajectory * size + i] = x.to_bits();
         }
-        check(m.id, &pendulum(0.0), 2);
+    };
+    block.run(starts, &mut record).expect("converges");
+    ends
+}
+
+/// Full blocks, blocks with a single trajectory, and all between: rows and left-over lanes change no bit.
+fn check_block<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: usize)
+where
+    dyn AnyMethod: Steps<S>,
+{
+    let count = Block::<S>::CAPACITY;
+    let starts: Vec<f64> = (0..count * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
+    let alone: Vec<u64> = starts.chunks(size).flat_map(|start| ends::<f64>(id, field, start, size)).collect();
+    for count in [1, 2, S::LANES, S::LANES + 1, count - 1, count] {
+        let count = count.min(Block::<S>::CAPACITY);
+        let together = ends::<S>(id, field, &starts[..count * size], size);
+        assert_eq!(together, alone[..count * size], "{id}, {count} in {} lanes", S::LANES);
     }
 }

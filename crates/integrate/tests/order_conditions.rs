@@ -7,7 +7,7 @@ mod toys;
 
 use precess_integrate::{Options, Stepper};
 use precess_scalar::{DoubleDouble, Scalar};
-use toys::{Bound, Toy, bind, method, stepper};
+use toys::{Bound, Toy, bind, method, stepper, take};
 
 /// A rooted tree: the trees that hang on its root, by number, and what follows from them.
 #[derive(Clone)]
@@ -79,7 +79,7 @@ fn violations(trees: &[Tree], y: &[f64], expected: impl Fn(&Tree) -> f64) -> Vec
 fn one_step(id: &str, field: &Bound<Forest>, count: usize) -> (Box<dyn Stepper<f64>>, Vec<f64>) {
     let mut steps = stepper::<f64>(method(id), field, &Options::default());
     let mut end = vec![0.0; count];
-    steps.step(field, 0.0, &vec![0.0; count], 1.0, &mut end).expect("an explicit step");
+    take(&mut *steps, field, 0.0, &vec![0.0; count], 1.0, &mut end).expect("an explicit step");
     (steps, end)
 }
 
@@ -150,7 +150,8 @@ fn twice_the_digits_reach_the_coefficients() {
         let mut steps = stepper::<DoubleDouble>(method(id), &field, &Options::default());
         let zeros = vec![DoubleDouble::from(0.0); trees.len()];
         let mut end = zeros.clone();
-        steps.step(&field, zeros[0], &zeros, DoubleDouble::from(1.0), &mut end).expect("an explicit step");
+        take(&mut *steps, &field, zeros[0], &zeros, DoubleDouble::from(1.0), &mut end)
+            .expect("an explicit step");
         let mut worst = 0.0;
         for (tree, y) in trees.iter().zip(&end).filter(|(t, _)| t.nodes <= order) {
             worst = (*y * tree.gamma - 1.0).abs().to_f64().larger(worst);

@@ -5,7 +5,7 @@ mod toys;
 use precess_integrate::{METHODS, Options};
 use precess_scalar::{Dual, Scalar};
 use precess_system::Field;
-use toys::{harmonic, kepler, method, pendulum, stepper};
+use toys::{harmonic, kepler, method, pendulum, stepper, take};
 
 /// The Jacobian of one step: columns by dual numbers.
 fn jacobian(id: &str, options: &Options, field: &dyn Field<Dual<f64>>, y: &[f64], h: f64) -> Vec<Vec<f64>> {
@@ -15,7 +15,8 @@ fn jacobian(id: &str, options: &Options, field: &dyn Field<Dual<f64>>, y: &[f64]
             y.iter().enumerate().map(|(i, x)| Dual::new(*x, if i == k { 1.0 } else { 0.0 })).collect();
         let mut end = start.clone();
         let mut steps = stepper::<Dual<f64>>(method(id), field, options);
-        steps.step(field, Dual::from(0.0), &start, Dual::from(h), &mut end).expect("the step converges");
+        take(&mut *steps, field, Dual::from(0.0), &start, Dual::from(h), &mut end)
+            .expect("the step converges");
         columns.push(end.iter().map(|x| x.slope).collect());
     }
     columns
@@ -92,12 +93,9 @@ fn a_step_back_undoes_a_step_where_the_card_says_so_and_nowhere_else() {
         let options = Options { epsilon: 1e-15, ..Options::default() };
         let start = [1.1, 0.4];
         let (mut there, mut back) = ([0.0; 2], [0.0; 2]);
-        stepper::<f64>(method(m.id), &field, &options)
-            .step(&field, 0.0, &start, 0.5, &mut there)
-            .expect("converges");
-        stepper::<f64>(method(m.id), &field, &options)
-            .step(&field, 0.5, &there, -0.5, &mut back)
-            .expect("converges");
+        let fresh = || stepper::<f64>(method(m.id), &field, &options);
+        take(&mut *fresh(), &field, 0.0, &start, 0.5, &mut there).expect("converges");
+        take(&mut *fresh(), &field, 0.5, &there, -0.5, &mut back).expect("converges");
         let off = (back[0] - start[0]).abs() + (back[1] - start[1]).abs();
         println!("{:<14} {off:.1e}", m.id);
         assert!(if m.reversible { off < 5e-15 } else { off > 1e-10 }, "{}: {off:e}", m.id);
@@ -109,13 +107,8 @@ fn newmarks_loop_diverges_beyond_the_root_of_six() {
     let try_step = |x: f64| {
         let field = harmonic(1.0);
         let mut end = [0.0; 2];
-        stepper::<f64>(method("newmark"), &field, &Options::default()).step(
-            &field,
-            0.0,
-            &[1.0, 0.0],
-            x,
-            &mut end,
-        )
+        let mut steps = stepper::<f64>(method("newmark"), &field, &Options::default());
+        take(&mut *steps, &field, 0.0, &[1.0, 0.0], x, &mut end)
     };
     assert!(try_step(2.0).is_ok());
     assert!(try_step(2.5).is_err());

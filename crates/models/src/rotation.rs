@@ -11,16 +11,19 @@ pub(crate) type Vector<S> = [S; 3];
 pub(crate) type Quaternion<S> = [S; 4];
 
 /// Scalar product.
+#[inline(always)]
 pub(crate) fn dot<S: Scalar>(a: Vector<S>, b: Vector<S>) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// Vector product.
+#[inline(always)]
 pub(crate) fn cross<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// Body axes to space. A quaternion that is not of unit length also stretches, by its square.
+#[inline(always)]
 pub(crate) fn to_space<S: Scalar>([w, x, y, z]: Quaternion<S>, v: Vector<S>) -> Vector<S> {
     let rows = [
         [w * w + x * x - y * y - z * z, (x * y - w * z) * 2.0, (x * z + w * y) * 2.0],
@@ -31,6 +34,7 @@ pub(crate) fn to_space<S: Scalar>([w, x, y, z]: Quaternion<S>, v: Vector<S>) -> 
 }
 
 /// The rate of a quaternion whose body turns with `omega` in body axes: half the product of both.
+#[inline(always)]
 pub(crate) fn quaternion_rate<S: Scalar>(
     [w, x, y, z]: Quaternion<S>,
     [o1, o2, o3]: Vector<S>,
@@ -44,6 +48,7 @@ pub(crate) fn quaternion_rate<S: Scalar>(
 }
 
 /// The unit quaternion of Euler angles (psi, theta, phi).
+#[inline(always)]
 pub(crate) fn from_euler<S: Scalar>([psi, theta, phi]: Vector<S>) -> Quaternion<S> {
     let (sin, cos) = (theta * 0.5).sin_cos();
     let (sin_sum, cos_sum) = ((psi + phi) * 0.5).sin_cos();
@@ -52,6 +57,7 @@ pub(crate) fn from_euler<S: Scalar>([psi, theta, phi]: Vector<S>) -> Quaternion<
 }
 
 /// Angular velocity in body axes from Euler angles and their rates.
+#[inline(always)]
 pub(crate) fn omega_from_rates<S: Scalar>(
     [_psi, theta, phi]: Vector<S>,
     [psi_dot, theta_dot, phi_dot]: Vector<S>,
@@ -65,6 +71,7 @@ pub(crate) fn omega_from_rates<S: Scalar>(
 ///
 /// Half the sum of psi and phi is the angle of (w, z), half their difference that of (x, y), so the angles
 /// come by `atan2` alone. Where the axis is vertical one of the two has no meaning and rests at zero.
+#[inline(always)]
 pub(crate) fn euler<S: Scalar>([w, x, y, z]: Quaternion<S>, omega: Vector<S>) -> [Vector<S>; 2] {
     let [w_dot, x_dot, y_dot, z_dot] = quaternion_rate([w, x, y, z], omega);
     let (upright, tilted) = (w * w + z * z, x * x + y * y);
@@ -82,6 +89,7 @@ pub(crate) fn euler<S: Scalar>([w, x, y, z]: Quaternion<S>, omega: Vector<S>) ->
 }
 
 /// `a / b` for `b >= 0`, and zero where `b` is.
+#[inline(always)]
 fn quotient<S: Scalar>(a: S, b: S) -> S {
     let (zero, one) = (S::from(0.0), S::from(1.0));
     let nothing = b.le(zero);

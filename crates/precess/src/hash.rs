@@ -13,13 +13,16 @@ fn hex(bytes: impl AsRef<[u8]>) -> String {
 
 /// SHA-256 over the columns `t` and state as little-endian f64, row by row, every NaN the canonical one.
 pub fn hash(trajectory: &Trajectory) -> String {
-    let mut sha = Sha256::new();
     let width = trajectory.state_columns();
-    for row in trajectory.rows() {
-        for &x in &row[..width] {
-            let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };
-            sha.update(x.to_le_bytes());
-        }
+    numbers(trajectory.rows().flat_map(|row| row[..width].iter().copied()))
+}
+
+/// SHA-256 of numbers.
+pub(crate) fn numbers(numbers: impl Iterator<Item = f64>) -> String {
+    let mut sha = Sha256::new();
+    for x in numbers {
+        let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };
+        sha.update(x.to_le_bytes());
     }
     hex(sha.finalize())
 }

@@ -3,7 +3,7 @@
 use crate::canonical::scenario_toml;
 use crate::hash::hash_text;
 use crate::plan::{Plan, Step};
-use precess_integrate::{Drive, Failure, Pace, Samples, Source, Tolerance, Watched, drive};
+use precess_integrate::{Drive, Failure, Pace, Report, Samples, Source, Tolerance, Watched, drive};
 use precess_system::{Bind, Column, ColumnKind, Field, Occurrence, Trajectory};
 use std::cell::RefCell;
 use std::ops::ControlFlow;
@@ -38,21 +38,45 @@ pub struct Outcome {
     pub failure: Option<Failure>,
 }
 
+/// A plan's system, ready to be driven from any start.
+pub(crate) struct Runner<'a> {
+    plan: &'a Plan,
+    field: Box<dyn Field<f64>>,
+}
+
+impl<'a> Runner<'a> {
+    pub fn new(plan: &'a Plan) -> Self {
+        Self { plan, field: Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout) }
+    }
+
+    /// Drives it from a full state.
+    pub fn drive(
+        &self,
+        start: &[f64],
+        record: &mut dyn FnMut(f64, &[f64]),
+        progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Report {
+        let plan = self.plan;
+        let directions: Vec<_> = plan.layout.events.iter().map(|e| e.direction).collect();
+        let watches = watched(plan, self.field.as_ref());
+        let job = Drive {
+            field: self.field.as_ref(),
+            method: plan.method,
+            options: plan.options,
+            start,
+            samples: Samples::new(plan.until, plan.every),
+            pace: pace(plan),
+            directions: &directions,
+            watches: &watches,
+        };
+        drive(&job, record, progress)
+    }
+}
+
 /// Runs a plan. `progress` is told the time now and then and may end the run.
 pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Outcome {
-    let field = Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout);
-    let directions: Vec<_> = plan.layout.events.iter().map(|e| e.direction).collect();
-    let watches = watched(plan, field.as_ref());
-    let job = Drive {
-        field: field.as_ref(),
-        method: plan.method,
-        options: plan.options,
-        start: &plan.start,
-        samples: Samples::new(plan.until, plan.every),
-        pace: pace(plan),
-        directions: &directions,
-        watches: &watches,
-    };
+    let runner = Runner::new(plan);
+    let field = &runner.field;
     let mut trajectory = Trajectory { columns: columns(plan), ..Trajectory::default() };
     let state = plan.layout.shape().state();
     let mut observed = vec![0.0; plan.layout.observables.len()];
@@ -62,7 +86,7 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
         trajectory.numbers.extend_from_slice(&y[..state]);
         trajectory.numbers.extend_from_slice(&observed);
     };
-    let report = drive(&job, &mut record, progress);
+    let report = runner.drive(&plan.start, &mut record, progress);
     trajectory.events = report
         .events
         .into_iter()

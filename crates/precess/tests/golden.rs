@@ -4,8 +4,9 @@
 //! SHA-256. Every face must reproduce it. `PRECESS_BLESS=1` writes it anew, after a change that is meant.
 
 use precess::integrate::{Kind, Needs};
+use precess::scalar::Isa;
 use precess::value::shortest;
-use precess::{Plan, Scenario, Step, catalogue, hash, run, value::Value};
+use precess::{Keep, Plan, Scenario, Step, Workers, catalogue, ensemble, hash, run, value::Value};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -55,6 +56,49 @@ fn line(plan: &Plan) -> String {
     };
     let (until, every) = (shortest(plan.until), shortest(plan.every));
     format!("{id} {} {step} {until} {every} {}", method.id, hash(&outcome.trajectory))
+}
+
+/// The golden start among others, in lanes: every width of this machine, by one thread and by two.
+fn in_lanes(plan: &Plan, golden: &str) -> Result<(), String> {
+    // Neighbours that differ a little, before and after: more than a block holds of the narrower lanes.
+    const MEMBERS: usize = 19;
+    const PLACE: usize = 7;
+    let mut starts = vec![];
+    for member in 0..MEMBERS {
+        let neighbour = |x: &f64| if member == PLACE { *x } else { x * (1.0 + 1e-3 * (member as f64 - 9.5)) };
+        starts.extend(plan.start.iter().map(neighbour));
+    }
+    for isa in Isa::available() {
+        for threads in [1, 2] {
+            let workers = Workers { isa, threads };
+            let mut go_on = |_| std::ops::ControlFlow::Continue(());
+            let members = ensemble(plan, &starts, Keep::Samples, workers, &mut go_on).expect("no watches");
+            let hash = members.hash(PLACE);
+            if hash != golden {
+                let (id, method, isa) = (plan.card.id, plan.method.card().id, isa.name());
+                return Err(format!(
+                    "{id} by {method} in {isa} lanes, {threads} threads: {hash}, not {golden}"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Methods with fixed steps go through the lanes; the others run one member after another, in the same manner for all.
+fn goes_in_lanes(plan: &Plan) -> bool {
+    matches!(plan.step, Step::Fixed(_)) && plan.layout.events.is_empty()
+}
+
+#[test]
+fn every_system_under_every_fixed_method_gives_the_golden_bits_in_lanes() {
+    let golden = std::fs::read_to_string(file()).expect("golden/hashes.txt is there");
+    for plan in plans().iter().filter(|plan| goes_in_lanes(plan)) {
+        let start = format!("{} {} ", plan.card.id, plan.method.card().id);
+        let line = golden.lines().find(|line| line.starts_with(&start)).expect("a golden line");
+        let hash = line.split(' ').next_back().expect("a hash");
+        in_lanes(plan, hash).unwrap();
+    }
 }
 
 #[test]

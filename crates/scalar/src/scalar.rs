@@ -2,6 +2,18 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+/// Work to be done inside [`Scalar::enter`].
+///
+/// A closure would do but for one thing: nothing can force it to be inlined, and what is not inlined there is
+/// compiled without the instructions. Implementations of `run`, and all that they call in a loop, are
+/// `#[inline(always)]`.
+pub trait Kernel {
+    /// What comes out.
+    type Output;
+    /// Does the work.
+    fn run(self) -> Self::Output;
+}
+
 /// A number that an equation computes with.
 ///
 /// There is no `PartialOrd` and no conversion to `f64`: a block of lanes and a trace cannot branch.
@@ -25,7 +37,11 @@ pub trait Scalar:
     + 'static
 {
     /// The outcome of a comparison: one truth value per lane.
-    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
+    type Mask: Copy
+        + Send
+        + BitAnd<Output = Self::Mask>
+        + BitOr<Output = Self::Mask>
+        + Not<Output = Self::Mask>;
 
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
@@ -33,6 +49,12 @@ pub trait Scalar:
     fn le(self, other: Self) -> Self::Mask;
     /// `a` where the mask holds, `b` elsewhere.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
+
+    /// Runs a kernel with the machine's instructions for this number switched on.
+    #[inline(always)]
+    fn enter<K: Kernel>(kernel: K) -> K::Output {
+        kernel.run()
+    }
 
     /// Whether the mask holds in every lane: the end of an iteration. A number that cannot branch says no.
     fn all(_mask: Self::Mask) -> bool {
@@ -73,32 +95,39 @@ pub trait Scalar:
     fn abs(self) -> Self;
 
     /// Sine.
+    #[inline(always)]
     fn sin(self) -> Self {
         self.sin_cos().0
     }
     /// Cosine.
+    #[inline(always)]
     fn cos(self) -> Self {
         self.sin_cos().1
     }
     /// `self > other`; false where either is NaN.
+    #[inline(always)]
     fn gt(self, other: Self) -> Self::Mask {
         other.lt(self)
     }
     /// -1, 0 or 1; zero (not plus or minus one) at both zeros, NaN at NaN.
+    #[inline(always)]
     fn sign(self) -> Self {
         let zero = Self::from(0.0);
         let negative = Self::select(self.lt(zero), Self::from(-1.0), self);
         Self::select(zero.lt(self), Self::from(1.0), negative)
     }
     /// The larger of two; `other` where they do not compare.
+    #[inline(always)]
     fn larger(self, other: Self) -> Self {
         Self::select(other.lt(self), self, other)
     }
     /// The smaller of two; `other` where they do not compare.
+    #[inline(always)]
     fn smaller(self, other: Self) -> Self {
         Self::select(self.lt(other), self, other)
     }
     /// `self * self`.
+    #[inline(always)]
     fn squared(self) -> Self {
         self * self
     }

@@ -2,7 +2,7 @@
 
 mod support;
 
-use precess_scalar::{Batch, Scalar};
+use precess_scalar::{Isa, Lanes, Scalar, with_lanes};
 use support::{Random, SPECIAL};
 
 fn same(a: f64, b: f64) -> bool {
@@ -69,15 +69,15 @@ fn everything<S: Scalar>(x: S, y: S) -> Vec<S> {
     ]
 }
 
-fn lanes_agree<const W: usize>() {
-    let mut random = Random(W as u64);
-    for _ in 0..20_000 / W {
-        let x: [f64; W] = std::array::from_fn(|_| argument(&mut random));
-        let y: [f64; W] = std::array::from_fn(|_| argument(&mut random));
-        let blocks = everything(Batch(x), Batch(y));
-        for lane in 0..W {
+fn lanes_agree<S: Lanes>() {
+    let mut random = Random(S::LANES as u64);
+    for _ in 0..20_000 / S::LANES {
+        let x: Vec<f64> = (0..S::LANES).map(|_| argument(&mut random)).collect();
+        let y: Vec<f64> = (0..S::LANES).map(|_| argument(&mut random)).collect();
+        let blocks = S::enter(|| everything(S::from_lanes(|i| x[i]), S::from_lanes(|i| y[i])));
+        for lane in 0..S::LANES {
             for (i, plain) in everything(x[lane], y[lane]).into_iter().enumerate() {
-                let value = blocks[i].0[lane];
+                let value = blocks[i].lanes()[lane];
                 assert!(
                     same(value, plain),
                     "entry {i} at {:e}, {:e}: {value:e}, {plain:e}",
@@ -90,30 +90,42 @@ fn lanes_agree<const W: usize>() {
 }
 
 #[test]
-fn one_lane() {
-    lanes_agree::<1>();
+fn every_width_of_this_machine() {
+    for isa in Isa::available() {
+        println!("{}", isa.name());
+        with_lanes!(isa, S => lanes_agree::<S>());
+    }
+}
+
+fn masks<S: Lanes>() {
+    let x = S::from_lanes(|i| if i == 1 { f64::NAN } else { i as f64 });
+    let mask = x.below(2.5);
+    let truth: u32 = (0..S::LANES).filter(|&i| i != 1 && i < 3).map(|i| 1 << i).sum();
+    assert_eq!(S::truth(mask), truth);
+    assert_eq!(S::truth(!mask), !truth & ((1 << S::LANES) - 1));
+    assert_eq!(S::truth(x.is_nan()), if S::LANES == 1 { 0 } else { 2 });
+    assert!(S::any(mask) && S::all(mask | !mask) && !S::any(mask & !mask));
+    assert_eq!(S::all(mask), S::LANES == 1);
+    let chosen = S::select(mask, x * 10.0, S::from(-1.0));
+    for (i, &chosen) in chosen.lanes().iter().enumerate() {
+        assert_eq!(chosen, if truth >> i & 1 == 1 { 10.0 * i as f64 } else { -1.0 });
+    }
 }
 
 #[test]
-fn four_lanes() {
-    lanes_agree::<4>();
+fn masks_choose_lane_by_lane() {
+    for isa in Isa::available() {
+        with_lanes!(isa, S => masks::<S>());
+    }
 }
 
 #[test]
-fn eight_lanes() {
-    lanes_agree::<8>();
-}
-
-#[test]
-fn thirty_two_lanes() {
-    lanes_agree::<32>();
-}
-
-#[test]
-fn masks() {
-    let x = Batch([1.0, 2.0, 3.0, f64::NAN]);
-    let mask = x.lt(Batch::splat(2.5));
-    assert!(mask.any() && !mask.all());
-    assert_eq!([0, 1, 2, 3].map(|i| mask.lane(i)), [true, true, false, false]);
-    assert_eq!(Batch::select(!mask, x * 10.0, Batch::from(0.0)).0[..3], [0.0, 0.0, 30.0]);
+fn an_instruction_set_goes_by_its_name() {
+    for isa in Isa::available() {
+        assert_eq!(Isa::named(isa.name()), Ok(isa));
+        assert_eq!(Isa::named(&isa.name().to_uppercase()), Ok(isa));
+    }
+    assert!(Isa::available().windows(2).all(|pair| pair[0].lanes() < pair[1].lanes()));
+    let refusal = Isa::named("avx9000").expect_err("there is none").to_string();
+    assert!(refusal.contains("avx9000") && refusal.contains("scalar"), "{refusal}");
 }

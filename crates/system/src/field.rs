@@ -1,7 +1,7 @@
 //! The seam where a system's type is forgotten and the number's is kept.
 
 use crate::{Card, Given, Layout, Shape, State, System, Values};
-use precess_scalar::{Batch, Dependence, DoubleDouble, Dual, Scalar, Traced, Unit};
+use precess_scalar::{Dependence, DoubleDouble, Dual, Kernel, Narrow, Scalar, Traced, Unit, Wide, Widest};
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -9,7 +9,7 @@ use precess_scalar::{Batch, Dependence, DoubleDouble, Dual, Scalar, Traced, Unit
 pub trait Field<S: Scalar>: Send + Sync {
     /// The sizes of a state.
     fn shape(&self) -> &Shape;
-    /// The rate of every number of the state; a mode rests.
+    /// The rate of every number of the state; a mode rests. There may be several rows of states (see [`Shape`]).
     fn rate(&self, t: S, y: &[S], dy: &mut [S]);
     /// The observables.
     fn observe(&self, t: S, y: &[S], out: &mut [S]);
@@ -37,6 +37,72 @@ impl<M, S: Scalar> Bound<M, S> {
     }
 }
 
+/// What is evaluated.
+const RATE: u8 = 0;
+const OBSERVABLES: u8 = 1;
+const CROSSINGS: u8 = 2;
+
+/// An evaluation at a point, compiled for the instructions of its number.
+struct Evaluation<'a, M, S, const WHAT: u8> {
+    bound: &'a Bound<M, S>,
+    /// By reference: code outside copies a register piece by piece, and a load of the whole then waits for them all.
+    t: &'a S,
+    y: &'a [S],
+    out: &'a mut [S],
+}
+
+impl<M: System, S: Scalar, const WHAT: u8> Kernel for Evaluation<'_, M, S, WHAT> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { bound, t, y, out } = self;
+        match WHAT {
+            RATE => bound.rates(*t, y, out),
+            OBSERVABLES => bound.system.observe(&bound.state(*t, y), out),
+            _ => bound.system.crossings(&bound.state(*t, y), out),
+        }
+    }
+}
+
+impl<M: System, S: Scalar> Bound<M, S> {
+    /// The rates of all rows.
+    #[inline(always)]
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
+        let shape = &self.shape;
+        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let rows = if y.len() == shape.full() { 1 } else { y.len() / shape.full() };
+        let (q, rest) = y.split_at(rows * coordinates);
+        let (v, m) = rest.split_at(rows * second);
+        let (dq, rest) = dy.split_at_mut(rows * coordinates);
+        let (dv, dm) = rest.split_at_mut(rows * second);
+        let straight = shape.is_second_order();
+        for row in 0..rows {
+            let (from, to) = (row * coordinates, (row + 1) * coordinates);
+            let (q, v) = (&q[from..to], &v[row * second..][..second]);
+            let modes = &m[row * modes..][..modes];
+            let state = State { t, coordinates: q, velocities: v, modes, values: &self.values };
+            // The equations give accelerations in the order of the coordinates. Where each coordinate has one, that is
+            // the order of the velocities; elsewhere each moves from its coordinate's place to its velocity's.
+            let highest = if straight { &mut dv[from..to] } else { &mut dq[from..to] };
+            self.system.equations(&state, highest);
+            let (dq, dv) = (&mut dq[from..to], &mut dv[row * second..][..second]);
+            for ((&i, dv), &v) in shape.second.iter().zip(dv).zip(v) {
+                if !straight {
+                    *dv = dq[i];
+                }
+                dq[i] = v;
+            }
+        }
+        dm.fill(S::from(0.0));
+    }
+
+    #[inline(always)]
+    fn evaluate<const WHAT: u8>(&self, t: &S, y: &[S], out: &mut [S]) {
+        S::enter(Evaluation::<M, S, WHAT> { bound: self, t, y, out });
+    }
+}
+
 impl<M: System, S: Scalar + Send + Sync> Field<S> for Bound<M, S>
 where
     Values<S>: Send + Sync,
@@ -46,27 +112,19 @@ where
     }
 
     fn rate(&self, t: S, y: &[S], dy: &mut [S]) {
-        let shape = &self.shape;
-        self.system.equations(&self.state(t, y), &mut dy[..shape.coordinates]);
-        // The equations gave accelerations in the coordinates' places: each moves to its velocity's place,
-        // and the velocity takes its own.
-        for (k, &i) in shape.second.iter().enumerate() {
-            dy[shape.coordinates + k] = dy[i];
-            dy[i] = y[shape.coordinates + k];
-        }
-        dy[shape.state()..].fill(S::from(0.0));
+        self.evaluate::<RATE>(&t, y, dy);
     }
 
     fn observe(&self, t: S, y: &[S], out: &mut [S]) {
-        self.system.observe(&self.state(t, y), out);
+        self.evaluate::<OBSERVABLES>(&t, y, out);
+    }
+
+    fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
+        self.evaluate::<CROSSINGS>(&t, y, out);
     }
 
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S> {
         self.system.lagrangian(&self.state(t, y))
-    }
-
-    fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
-        self.system.crossings(&self.state(t, y), out);
     }
 
     fn jump(&self, event: usize, t: S, y: &mut [S]) {
@@ -92,8 +150,9 @@ pub trait AnySystem:
     Send
     + Sync
     + Bind<f64>
-    + Bind<Batch<4>>
-    + Bind<Batch<8>>
+    + Bind<Narrow>
+    + Bind<Wide>
+    + Bind<Widest>
     + Bind<Dual<f64>>
     + Bind<Dual<Dual<f64>>>
     + Bind<DoubleDouble>

@@ -85,19 +85,22 @@ impl Coordinate {
 /// Sizes of a state: what a method needs to know of a system.
 ///
 /// A state is the coordinates, then the velocities of the second-order ones, then the modes of a hybrid
-/// system (which rest between events).
+/// system (which rest between events). Several states that are stepped together are rows: first the coordinates of
+/// all rows, then all velocities, then all modes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shape {
-    /// Number of coordinates.
+    /// Number of coordinates of a row.
     pub coordinates: usize,
-    /// For each velocity, the coordinate it belongs to.
+    /// For each velocity of a row, the coordinate it belongs to.
     pub second: Vec<usize>,
-    /// Number of modes.
+    /// Number of modes of a row.
     pub modes: usize,
     /// Number of observables.
     pub observables: usize,
     /// Number of event functions.
     pub events: usize,
+    /// Number of rows.
+    pub rows: usize,
 }
 
 impl Shape {
@@ -109,9 +112,45 @@ impl Shape {
     pub fn full(&self) -> usize {
         self.state() + self.modes
     }
-    /// Pairs (index of a second-order coordinate, index of its velocity) in the full state.
+    /// Numbers of all rows.
+    pub fn size(&self) -> usize {
+        self.rows * self.full()
+    }
+    /// The same system with several states side by side.
+    #[must_use]
+    pub fn with_rows(&self, rows: usize) -> Self {
+        Self { rows, ..self.clone() }
+    }
+    /// Where number `j` of a row's full state stands.
+    pub fn place(&self, row: usize, j: usize) -> usize {
+        let (coordinates, state) = (self.coordinates, self.state());
+        match j {
+            j if j < coordinates => row * coordinates + j,
+            j if j < state => self.rows * coordinates + row * self.second.len() + (j - coordinates),
+            j => self.rows * state + row * self.modes + (j - state),
+        }
+    }
+    /// The row that each number belongs to.
+    pub fn row_of_each(&self) -> Vec<usize> {
+        let mut row_of_each = vec![0; self.size()];
+        for row in 0..self.rows {
+            for j in 0..self.full() {
+                row_of_each[self.place(row, j)] = row;
+            }
+        }
+        row_of_each
+    }
+    /// Pairs of all rows: where a second-order coordinate stands, and where its velocity.
     pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.second.iter().enumerate().map(|(k, &i)| (i, self.coordinates + k))
+        let firsts = (0..self.rows).map(|row| row * self.coordinates);
+        let coordinates = firsts.flat_map(|first| self.second.iter().map(move |&i| first + i));
+        coordinates.zip(self.rows * self.coordinates..)
+    }
+    /// What is in no pair: first-order coordinates, and modes.
+    pub fn singles(&self) -> impl Iterator<Item = usize> + '_ {
+        let first_order = (0..self.coordinates).filter(|i| !self.second.contains(i));
+        let of_row: Vec<usize> = first_order.chain(self.state()..self.full()).collect();
+        (0..self.rows).flat_map(move |row| of_row.clone().into_iter().map(move |j| self.place(row, j)))
     }
     /// Whether every coordinate has a velocity.
     pub fn is_second_order(&self) -> bool {
@@ -151,6 +190,7 @@ impl Layout {
             modes: self.modes,
             observables: self.observables.len(),
             events: self.events.len(),
+            rows: 1,
         }
     }
     /// The quantities of the state in order: coordinates, then velocities.

@@ -4,8 +4,8 @@
 //! `dop853`.) The method for accurate runs: at tight tolerances it needs the fewest evaluations here.
 
 use crate::coefficient::{Coefficient, decimal};
-use crate::tableau::{Row, Tableau};
-use crate::{Kind, Method, MethodCard, Needs, Options, Stepper};
+use crate::tableau::{Row, Steps, Tableau};
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -32,7 +32,9 @@ impl Method for Dop853 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
         TABLEAU.stepper(shape)
     }
 }

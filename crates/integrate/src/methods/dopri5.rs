@@ -4,8 +4,8 @@
 //! Wanner, *Solving ODEs I*, II.6.) The method for moderate accuracy.
 
 use crate::coefficient::ratio;
-use crate::tableau::{Row, Tableau};
-use crate::{Kind, Method, MethodCard, Needs, Options, Stepper};
+use crate::tableau::{Row, Steps, Tableau};
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -32,7 +32,9 @@ impl Method for Dopri5 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
         TABLEAU.stepper(shape)
     }
 }

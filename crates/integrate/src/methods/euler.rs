@@ -5,9 +5,10 @@
 //! (T 5.1; Euler 1768.) Its two forms, of first and second order, are the same. An undamped oscillator gains the
 //! factor `1 + (omega h)^2` of energy at each step.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Stepper};
+use super::glide::Glide;
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct Euler;
@@ -33,33 +34,9 @@ impl Method for Euler {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
-        Box::new(Steps { rate: vec![S::from(0.0); shape.full()], evaluations: 0 })
-    }
-}
+    type Steps<S: Scalar + Send> = Glide<S>;
 
-struct Steps<S> {
-    rate: Vec<S>,
-    evaluations: u64,
-}
-
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
-        field.rate(t, y, &mut self.rate);
-        self.evaluations += 1;
-        for i in 0..y.len() {
-            out[i] = y[i] + h * self.rate[i];
-        }
-        Ok(())
-    }
-    fn evaluations(&self) -> u64 {
-        self.evaluations
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Glide<S> {
+        Glide::new(shape, 0.0)
     }
 }

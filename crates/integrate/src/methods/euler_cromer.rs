@@ -6,9 +6,10 @@
 //! elsewhere its energy error grows. A first-order coordinate follows the velocity's formula, which is Euler's
 //! (T 5.2.2).
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Stepper};
+use super::glide::Glide;
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct EulerCromer;
@@ -35,41 +36,9 @@ impl Method for EulerCromer {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
-        Box::new(Steps {
-            pairs: shape.pairs().collect(),
-            rate: vec![S::from(0.0); shape.full()],
-            evaluations: 0,
-        })
-    }
-}
+    type Steps<S: Scalar + Send> = Glide<S>;
 
-struct Steps<S> {
-    pairs: Vec<(usize, usize)>,
-    rate: Vec<S>,
-    evaluations: u64,
-}
-
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
-        field.rate(t, y, &mut self.rate);
-        self.evaluations += 1;
-        for i in 0..y.len() {
-            out[i] = y[i] + h * self.rate[i];
-        }
-        for &(x, v) in &self.pairs {
-            out[x] = y[x] + h * out[v];
-        }
-        Ok(())
-    }
-    fn evaluations(&self) -> u64 {
-        self.evaluations
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Glide<S> {
+        Glide::new(shape, 1.0)
     }
 }

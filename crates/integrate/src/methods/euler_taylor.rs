@@ -6,9 +6,10 @@
 //! oscillator's step has the determinant `1 + (omega h)^2 / 2`: the energy grows, an anti-damping of
 //! `omega^2 h / 4`.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper};
+use super::glide::Glide;
+use crate::{Kind, Method, MethodCard, Needs, OptionCard, Options};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct EulerTaylor;
@@ -44,44 +45,9 @@ impl Method for EulerTaylor {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
-        Box::new(Steps {
-            pairs: shape.pairs().collect(),
-            rate: vec![S::from(0.0); shape.full()],
-            alpha: options.alpha,
-            evaluations: 0,
-        })
-    }
-}
+    type Steps<S: Scalar + Send> = Glide<S>;
 
-struct Steps<S> {
-    pairs: Vec<(usize, usize)>,
-    rate: Vec<S>,
-    alpha: f64,
-    evaluations: u64,
-}
-
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
-        field.rate(t, y, &mut self.rate);
-        self.evaluations += 1;
-        for i in 0..y.len() {
-            out[i] = y[i] + h * self.rate[i];
-        }
-        // P's order of operations: x += v*dt + 0.5*a*dt*dt.
-        for &(x, v) in &self.pairs {
-            out[x] = y[x] + (y[v] * h + self.rate[v] * self.alpha * h * h);
-        }
-        Ok(())
-    }
-    fn evaluations(&self) -> u64 {
-        self.evaluations
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Glide<S> {
+        Glide::new(shape, options.alpha)
     }
 }

@@ -5,6 +5,7 @@ mod dopri5;
 mod euler;
 mod euler_cromer;
 mod euler_taylor;
+mod glide;
 mod newmark;
 mod rk4;
 mod verlet;

@@ -7,9 +7,9 @@
 //! both must rest, relative to the size of the state. On an oscillator the loop diverges for
 //! `omega h > sqrt(6)`. A first-order coordinate follows the velocity's formula, the trapezoid.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Stepper};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct Newmark;
@@ -43,44 +43,53 @@ impl Method for Newmark {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
-        let zeros = vec![S::from(0.0); shape.full()];
-        Box::new(Steps {
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+        let zeros = vec![S::from(0.0); shape.size()];
+        Steps {
             pairs: shape.pairs().collect(),
             start: zeros.clone(),
             end: zeros.clone(),
             next: zeros,
+            moving: vec![S::from(0.0).le(S::from(0.0)); shape.rows],
+            change: vec![S::from(0.0); shape.rows],
+            size: vec![S::from(0.0); shape.rows],
+            row: shape.row_of_each(),
             epsilon: options.epsilon,
             evaluations: 0,
-        })
+        }
     }
 }
 
-struct Steps<S> {
+/// What a step needs besides the state.
+pub struct Steps<S: Scalar> {
     pairs: Vec<(usize, usize)>,
     /// Rates at the start and at the end of the step.
     start: Vec<S>,
     end: Vec<S>,
     /// The next iterate.
     next: Vec<S>,
+    /// What has not yet come to rest, a mask a row. A lane that rests is frozen, so that its bits do not depend on
+    /// its neighbours.
+    moving: Vec<S::Mask>,
+    /// The squares of the last change and of the state, a sum a row.
+    change: Vec<S>,
+    size: Vec<S>,
+    /// The row that each number belongs to.
+    row: Vec<usize>,
     epsilon: f64,
     evaluations: u64,
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        let Step { field, t, y, h, ref mut out } = *step;
         field.rate(t, y, &mut self.start);
         self.evaluations += 1;
         out.copy_from_slice(y);
-        // A lane that rests is frozen, so that its bits do not depend on its neighbours.
-        let mut moving = S::from(0.0).le(S::from(0.0));
+        self.moving.fill(S::from(0.0).le(S::from(0.0)));
         for _ in 0..MOST_ITERATIONS {
             field.rate(t + h, out, &mut self.end);
             self.evaluations += 1;
@@ -91,14 +100,19 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
                 let acceleration = self.end[v] * 0.5 + self.start[v];
                 self.next[x] = y[x] + h * y[v] + h * h / 3.0 * acceleration;
             }
-            let (mut change, mut size) = (S::from(0.0), S::from(1.0));
-            for (old, new) in out.iter_mut().zip(&self.next) {
-                change = change + (*new - *old).squared();
-                size = size + new.squared();
-                *old = S::select(moving, *new, *old);
+            self.change.fill(S::from(0.0));
+            self.size.fill(S::from(1.0));
+            for ((old, new), &row) in out.iter_mut().zip(&self.next).zip(&self.row) {
+                self.change[row] = self.change[row] + (*new - *old).squared();
+                self.size[row] = self.size[row] + new.squared();
+                *old = S::select(self.moving[row], *new, *old);
             }
-            moving = moving & !(change.sqrt().le(size.sqrt() * self.epsilon));
-            if S::all(!moving) {
+            let mut rest = true;
+            for ((change, size), moving) in self.change.iter().zip(&self.size).zip(&mut self.moving) {
+                *moving = *moving & !(change.sqrt().le(size.sqrt() * self.epsilon));
+                rest &= S::all(!*moving);
+            }
+            if rest {
                 return Ok(());
             }
         }

@@ -3,9 +3,9 @@
 //! (T 5.4; W. Kutta, Z. Math. Phys. 46, 435, 1901.) T's form for second-order equations is the same arithmetic as
 //! the first-order form on positions and velocities together.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Stepper};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct Rk4;
@@ -30,26 +30,24 @@ impl Method for Rk4 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
-        let zeros = || vec![S::from(0.0); shape.full()];
-        Box::new(Steps { k: [zeros(), zeros(), zeros(), zeros()], evaluations: 0 })
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
+        let zeros = || vec![S::from(0.0); shape.size()];
+        Steps { k: [zeros(), zeros(), zeros(), zeros()], evaluations: 0 }
     }
 }
 
-struct Steps<S> {
+/// What a step needs besides the state.
+pub struct Steps<S> {
     k: [Vec<S>; 4],
     evaluations: u64,
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        let Step { field, t, y, h, ref mut out } = *step;
         let half = h * 0.5;
         let [k1, k2, k3, k4] = &mut self.k;
         let along = |out: &mut [S], h: S, k: &[S]| {

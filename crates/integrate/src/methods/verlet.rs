@@ -4,9 +4,9 @@
 //!
 //! (Verlet 1967; Swope et al. 1982.) Of order 2, symplectic and reversible; one evaluation a step.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Stepper};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::Shape;
 
 /// See the module.
 pub struct Verlet;
@@ -32,19 +32,22 @@ impl Method for Verlet {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Box<dyn Stepper<S>> {
-        let zeros = vec![S::from(0.0); shape.full()];
-        Box::new(Steps {
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
+        let zeros = vec![S::from(0.0); shape.size()];
+        Steps {
             pairs: shape.pairs().collect(),
             start: zeros.clone(),
             end: zeros,
             warm: false,
             evaluations: 0,
-        })
+        }
     }
 }
 
-struct Steps<S> {
+/// What a step needs besides the state.
+pub struct Steps<S> {
     pairs: Vec<(usize, usize)>,
     /// Rates at the start and at the end of the step.
     start: Vec<S>,
@@ -55,14 +58,9 @@ struct Steps<S> {
 }
 
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
-    fn step(
-        &mut self,
-        field: &dyn Field<S>,
-        t: S,
-        y: &[S],
-        h: S,
-        out: &mut [S],
-    ) -> Result<(), NoConvergence> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        let Step { field, t, y, h, ref mut out } = *step;
         if !self.warm {
             field.rate(t, y, &mut self.start);
             self.evaluations += 1;

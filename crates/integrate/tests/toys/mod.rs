@@ -1,7 +1,7 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
-use precess_integrate::{AnyMethod, METHODS, Options, Stepper, Steps};
+use precess_integrate::{AnyMethod, METHODS, NoConvergence, Options, Step, Stepper, Steps};
 use precess_scalar::Scalar;
 use precess_system::{Field, Shape};
 
@@ -26,6 +26,7 @@ pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound
         modes: 0,
         observables: 0,
         events,
+        rows: 1,
     };
     Bound { toy, shape }
 }
@@ -35,7 +36,16 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
         &self.shape
     }
     fn rate(&self, t: S, y: &[S], dy: &mut [S]) {
-        self.toy.rate(t, y, dy);
+        let full = self.shape.full();
+        let shape = self.shape.with_rows(y.len() / full);
+        for row in 0..shape.rows {
+            let own: Vec<S> = (0..full).map(|j| y[shape.place(row, j)]).collect();
+            let mut rates = own.clone();
+            self.toy.rate(t, &own, &mut rates);
+            for (j, rate) in rates.into_iter().enumerate() {
+                dy[shape.place(row, j)] = rate;
+            }
+        }
     }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
@@ -148,11 +158,23 @@ where
     Steps::<S>::stepper(forgotten, field.shape(), options)
 }
 
+/// One step.
+pub fn take<S: Scalar>(
+    stepper: &mut dyn Stepper<S>,
+    field: &dyn Field<S>,
+    t: S,
+    y: &[S],
+    h: S,
+    out: &mut [S],
+) -> Result<(), NoConvergence> {
+    stepper.step(&mut Step { field, t, y, h, out })
+}
+
 /// `n` equal steps of length `h`, from `t` on.
 pub fn walk<S: Scalar>(stepper: &mut dyn Stepper<S>, field: &dyn Field<S>, t: S, y: &mut [S], h: S, n: u32) {
     let mut out = y.to_vec();
     for k in 0..n {
-        stepper.step(field, t + h * f64::from(k), y, h, &mut out).expect("the step converges");
+        take(stepper, field, t + h * f64::from(k), y, h, &mut out).expect("the step converges");
         stepper.accept();
         y.copy_from_slice(&out);
     }

@@ -44,6 +44,7 @@ impl System for NBody {
         }
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([k, softening], masses) = (s.p(), s.list(0));
         let dimensions = highest.len() / masses.len();
@@ -61,6 +62,7 @@ impl System for NBody {
         }
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let masses = s.list(0);
         let dimensions = s.coordinates.len() / masses.len();
@@ -90,6 +92,7 @@ impl System for NBody {
         }
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);
         Some(kinetic - potential)
@@ -97,6 +100,7 @@ impl System for NBody {
 }
 
 /// From body i to body j, and the softened distance.
+#[inline(always)]
 fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softening: S) -> ([S; 3], S) {
     let mut towards = [S::from(0.0); 3];
     let mut square = softening * softening;
@@ -107,11 +111,13 @@ fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softeni
     (towards, square.sqrt())
 }
 
+#[inline(always)]
 fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
     let own = &numbers[body * dimensions..][..dimensions];
     std::array::from_fn(|axis| own.get(axis).copied().unwrap_or(S::from(0.0)))
 }
 
+#[inline(always)]
 fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
     let ([k, softening], masses) = (s.p(), s.list(0));
     let dimensions = s.coordinates.len() / masses.len();

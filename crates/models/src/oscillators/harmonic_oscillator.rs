@@ -27,16 +27,19 @@ impl System for HarmonicOscillator {
             .run(9.0 * std::f64::consts::PI, 0.0001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([x], [omega]) = (s.q(), s.p());
         highest[0] = -(omega * omega * x);
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([x], [v], [omega]) = (s.q(), s.v(), s.p());
         out[0] = (v.squared() + (omega * x).squared()) * 0.5;
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let ([x], [v], [omega]) = (s.q(), s.v(), s.p());
         Some((v.squared() - (omega * x).squared()) * 0.5)

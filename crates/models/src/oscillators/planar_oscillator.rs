@@ -37,17 +37,20 @@ impl System for PlanarOscillator {
             .run(20.0, 0.0001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([x, y], [x_dot, y_dot], [c, r]) = (s.q(), s.v(), s.p());
         highest.copy_from_slice(&[-(c * x) - r * x_dot, -(c * y) - r * y_dot]);
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([x, y], [x_dot, y_dot], [c]) = (s.q(), s.v(), s.p());
         let energy = (x_dot.squared() + y_dot.squared() + c * (x.squared() + y.squared())) * 0.5;
         out.copy_from_slice(&[energy, x * y_dot - y * x_dot]);
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let ([x, y], [x_dot, y_dot], [c]) = (s.q(), s.v(), s.p());
         Some((x_dot.squared() + y_dot.squared() - c * (x.squared() + y.squared())) * 0.5)

@@ -48,6 +48,7 @@ impl System for DoublePendulum {
             .run(20.0, 0.001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([theta1, theta2], [w1, w2], [m1, m2, l1, l2, g]) = (s.q(), s.v(), s.p());
         let (sin, cos) = (theta1 - theta2).sin_cos();
@@ -59,6 +60,7 @@ impl System for DoublePendulum {
         highest[1] = (both * f2 - cos * f1) / (l2 * effective);
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([theta1, theta2], [_, _, l1, l2]) = (s.q(), s.p());
         let (kinetic, potential) = energies(s);
@@ -68,12 +70,14 @@ impl System for DoublePendulum {
         out.copy_from_slice(&[kinetic + potential, x1, y1, x1 + l2 * sin2, y1 - l2 * cos2]);
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);
         Some(kinetic - potential)
     }
 }
 
+#[inline(always)]
 fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
     let ([theta1, theta2], [w1, w2], [m1, m2, l1, l2, g]) = (s.q(), s.v(), s.p());
     let (v1, v2) = (l1 * w1, l2 * w2);

@@ -37,6 +37,7 @@ impl System for MagneticPendulum {
             .run(20.0, 0.0001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([x, y], [x_dot, y_dot], [c, r, d]) = (s.q(), s.v(), s.p());
         let mut ax = -(c * x) - r * x_dot;
@@ -51,17 +52,20 @@ impl System for MagneticPendulum {
         highest.copy_from_slice(&[ax, ay]);
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let (kinetic, potential) = energies(s);
         out[0] = kinetic + potential;
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);
         Some(kinetic - potential)
     }
 }
 
+#[inline(always)]
 fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
     let ([x, y], [x_dot, y_dot], [c, _, d]) = (s.q(), s.v(), s.p());
     let kinetic = (x_dot * x_dot + y_dot * y_dot) * 0.5;

@@ -48,50 +48,59 @@ const SETS_OFF: usize = GROUPS * BUCKETS;
 const HALTS: usize = SETS_OFF + 1;
 
 /// The eight masses of water.
+#[inline(always)]
 fn masses<S: Scalar>(s: &State<S>) -> [S; BUCKETS] {
     let [_theta, m0, m1, m2, m3, m4, m5, m6, m7] = s.q();
     [m0, m1, m2, m3, m4, m5, m6, m7]
 }
 
 /// Bucket i from the downward vertical.
+#[inline(always)]
 fn angle<S: Scalar>(s: &State<S>, bucket: usize) -> S {
     s.coordinates[0] + bucket as f64 * (PI / 4.0)
 }
 
 /// Added from the first bucket on.
+#[inline(always)]
 fn sum<S: Scalar>(numbers: [S; BUCKETS]) -> S {
     numbers[1..].iter().fold(numbers[0], |sum, &x| sum + x)
 }
 
 /// The moment of the water's weight about the axle: the sum of `m_i sin theta_i`.
+#[inline(always)]
 fn moment<S: Scalar>(s: &State<S>) -> S {
     let masses = masses(s);
     sum(std::array::from_fn(|i| masses[i] * angle(s, i).sin()))
 }
 
 /// Above zero while the bucket is under the stream: `cos(theta_i - pi) - cos(window)`.
+#[inline(always)]
 fn under_stream<S: Scalar>(s: &State<S>, bucket: usize) -> S {
     let [_k, _gamma, _inflow, _capacity, _evaporation, _floor, window] = s.p();
     -angle(s, bucket).cos() - window.cos()
 }
 
 /// Whether a mode is a given one; modes are whole numbers.
+#[inline(always)]
 fn is<S: Scalar>(mode: S, one: f64) -> S::Mask {
     (mode - one).abs().lt(S::from(0.5))
 }
 
 /// The mode of a bucket that the stream no longer spares.
+#[inline(always)]
 fn dry_or_not<S: Scalar>(mass: S, floor: S) -> S {
     S::select(mass.gt(floor), S::from(EVAPORATING), S::from(RESTING))
 }
 
 /// A wheel that does not turn stands still.
+#[inline(always)]
 fn halt<S: Scalar>(y: &mut [S]) {
     y[TURNING] = S::from(0.0);
     y[VELOCITY] = S::from(0.0);
 }
 
 /// Empties a bucket that is full; the wheel halts where too little water is left.
+#[inline(always)]
 fn tip<S: Scalar>(bucket: usize, capacity: S, threshold: S, y: &mut [S]) {
     let (mass, zero) = (y[MASS + bucket], S::from(0.0));
     y[MASS + bucket] = S::select(capacity.le(mass), zero, mass);
@@ -106,6 +115,7 @@ impl System for Noria {
         noria_card::card_of_noria()
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([w], [k, gamma, inflow, _capacity, evaporation]) = (s.v(), s.p());
         let (zero, one) = (S::from(0.0), S::from(1.0));
@@ -118,10 +128,12 @@ impl System for Noria {
         }
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         out.copy_from_slice(&[sum(masses(s)), moment(s)]);
     }
 
+    #[inline(always)]
     fn crossings<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let [_k, _gamma, _inflow, capacity, _evaporation, floor, _window, threshold] = s.p();
         let masses = masses(s);
@@ -137,6 +149,7 @@ impl System for Noria {
         out[HALTS] = enough;
     }
 
+    #[inline(always)]
     fn jump<S: Scalar>(&self, event: usize, s: &State<S>, y: &mut [S]) {
         let [_k, _gamma, _inflow, capacity, _evaporation, floor, _window, threshold] = s.p();
         let bucket = event % BUCKETS;

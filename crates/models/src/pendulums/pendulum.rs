@@ -43,11 +43,13 @@ impl System for Pendulum {
             .run(20.0, 0.001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([theta], [w], [_m, l, g, b, b2, dry]) = (s.q(), s.v(), s.p());
         highest[0] = -(b * w) - b2 * w * w.abs() - dry * w.sign() - g / l * theta.sin();
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([theta], [w], [m, l, g]) = (s.q(), s.v(), s.p());
         let kinetic = m * l * l * w * w * 0.5;
@@ -56,6 +58,7 @@ impl System for Pendulum {
         out.copy_from_slice(&[kinetic + potential, kinetic, potential, tension]);
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let ([theta], [w], [m, l, g]) = (s.q(), s.v(), s.p());
         Some(m * l * l * w * w * 0.5 + m * g * l * theta.cos())

@@ -25,6 +25,7 @@ const ANGLES: [&str; 3] = ["psi", "theta", "phi"];
 const RATES: [&str; 3] = ["psi_dot", "theta_dot", "phi_dot"];
 
 /// The two halves of the state: attitude and angular velocity in body axes.
+#[inline(always)]
 fn halves<S: Scalar>(s: &State<S>) -> ([S; 4], [S; 3]) {
     let [qw, qx, qy, qz, o1, o2, o3] = s.q();
     ([qw, qx, qy, qz], [o1, o2, o3])
@@ -104,6 +105,7 @@ impl System for FreeBody {
             .run(20.0, 0.001)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let (attitude, [o1, o2, o3]) = halves(s);
         let [i1, i2, i3, torque1, torque2, torque3] = s.p();
@@ -113,6 +115,7 @@ impl System for FreeBody {
         highest[6] = ((i1 - i2) * o1 * o2 + torque3) / i3;
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let (attitude, omega) = halves(s);
         let [i1, i2, i3] = s.p();

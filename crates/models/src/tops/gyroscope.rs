@@ -34,6 +34,7 @@ const D: f64 = 3.0 * HEIGHT / 4.0;
 const MOMENTS: [&str; 3] = ["moment1", "moment2", "moment3"];
 
 /// Angular velocity in the axes (u, b, a): T's (1).
+#[inline(always)]
 fn omega<S: Scalar>(s: &State<S>) -> [S; 3] {
     let ([_psi, theta], [psi_dot, theta_dot, phi_dot]) = (s.q(), s.v());
     let (sin, cos) = theta.sin_cos();
@@ -41,6 +42,7 @@ fn omega<S: Scalar>(s: &State<S>) -> [S; 3] {
 }
 
 /// Moments of inertia about A, in the axes (u, b, a).
+#[inline(always)]
 fn inertia<S: Scalar>(s: &State<S>) -> [S; 3] {
     let [m, i1, i3, d] = s.p();
     let i_a1 = i1 + m * d * d;
@@ -48,6 +50,7 @@ fn inertia<S: Scalar>(s: &State<S>) -> [S; 3] {
 }
 
 /// Kinetic and potential energy (zero with G at the height of A).
+#[inline(always)]
 fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
     let ([_psi, theta], [m, _i1, _i3, d, g]) = (s.q(), s.p());
     (dot(inertia(s), omega(s).map(S::squared)) * 0.5, m * g * d * theta.cos())
@@ -102,6 +105,7 @@ impl System for Gyroscope {
             .run(2.0, 1e-4)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([_psi, theta], [psi_dot, theta_dot]) = (s.q(), s.v());
         let [m, _i1, i3, d, g, moment1, moment2, moment3] = s.p();
@@ -118,6 +122,7 @@ impl System for Gyroscope {
         highest[2] = omega3_dot + psi_dot * theta_dot * sin - psi_ddot * cos;
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let [psi, theta] = s.q();
         let ((sin_psi, cos_psi), (sin, cos)) = (psi.sin_cos(), theta.sin_cos());
@@ -129,6 +134,7 @@ impl System for Gyroscope {
         out[8..].copy_from_slice(&axis);
     }
 
+    #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);
         Some(kinetic - potential)

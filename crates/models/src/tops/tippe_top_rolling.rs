@@ -45,6 +45,7 @@ const ALONG: f64 = PI / 15.0
 const I1: f64 = I3 / 2.0 + ALONG - MASS * (RADIUS * ALPHA) * (RADIUS * ALPHA);
 
 /// T's f3.
+#[inline(always)]
 fn f3<S: Scalar>(s: &State<S>) -> S {
     let ([_psi, theta], [m, radius, alpha, i1, i3]) = (s.q(), s.p());
     let (sin, cos) = theta.sin_cos();
@@ -53,6 +54,7 @@ fn f3<S: Scalar>(s: &State<S>) -> S {
 }
 
 /// (psi'', theta'', phi'').
+#[inline(always)]
 fn accelerations<S: Scalar>(s: &State<S>) -> [S; 3] {
     let ([_psi, theta], [psi_dot, theta_dot, phi_dot]) = (s.q(), s.v());
     let [m, radius, alpha, i1, i3, g] = s.p();
@@ -74,6 +76,7 @@ fn accelerations<S: Scalar>(s: &State<S>) -> [S; 3] {
 }
 
 /// Angular velocity and GA, in the axes (u, b, a).
+#[inline(always)]
 fn omega_and_arm<S: Scalar>(s: &State<S>) -> [[S; 3]; 2] {
     let ([_psi, theta], [psi_dot, theta_dot, phi_dot]) = (s.q(), s.v());
     let [_m, radius, alpha] = s.p();
@@ -83,6 +86,7 @@ fn omega_and_arm<S: Scalar>(s: &State<S>) -> [[S; 3]; 2] {
 }
 
 /// Kinetic and potential energy (zero at the height of the table).
+#[inline(always)]
 fn energies<S: Scalar>(s: &State<S>) -> (S, S) {
     let ([_psi, theta], [m, radius, alpha, i1, i3, g]) = (s.q(), s.p());
     let [omega, arm] = omega_and_arm(s);
@@ -136,6 +140,7 @@ impl System for TippeTopRolling {
             .run(2.0, 1e-4)
     }
 
+    #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([psi, theta], [_psi_dot, theta_dot, phi_dot]) = (s.q(), s.v());
         let [_m, radius] = s.p();
@@ -145,6 +150,7 @@ impl System for TippeTopRolling {
         highest[4] = -(radius * (theta_dot * cos_psi + phi_dot * sin_psi * sin));
     }
 
+    #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([psi, theta, _phi, cx, cy], [_psi_dot, theta_dot]) = (s.q(), s.v());
         let [m, radius, alpha, i1, i3, g] = s.p();

@@ -1,7 +1,7 @@
 //! Every number gives the same: lanes and derivatives to the bit, twice the digits to rounding.
 
 use crate::{Any, cases, cases::Case, cases::everything, finds, holds_for_all, within};
-use precess_scalar::{Batch, DoubleDouble, Dual, Scalar, Traced};
+use precess_scalar::{DoubleDouble, Dual, Isa, Lanes, Narrow, Traced, Wide, Widest, with_lanes};
 use precess_system::{AnySystem, Bind, Field, List, Values};
 
 /// With twice the digits, the outcome may differ as if the inputs were off by this part.
@@ -10,8 +10,9 @@ const BOUND: f64 = 1e-13;
 pub fn law(system: Any) -> Result<(), String> {
     for group in cases::cases(system)? {
         let plain: Vec<Vec<f64>> = group.iter().map(|case| plain(system, case)).collect();
-        lanes::<4>(system, &group, &plain)?;
-        lanes::<8>(system, &group, &plain)?;
+        for isa in Isa::available() {
+            with_lanes!(isa, S => lanes::<S>(system, &group, &plain))?;
+        }
         for (case, expected) in group.iter().zip(&plain) {
             dual(system, case, expected)?;
             double_double(system, case, expected)?;
@@ -37,12 +38,15 @@ fn same_bits(kind: &str, case: &Case, found: &[f64], expected: &[f64]) -> Result
 }
 
 /// A block of cases side by side, each with its own parameters.
-fn lanes<const W: usize>(system: Any, group: &[Case], expected: &[Vec<f64>]) -> Result<(), String>
+fn lanes<S: Lanes>(system: Any, group: &[Case], expected: &[Vec<f64>]) -> Result<(), String>
 where
-    dyn AnySystem: Bind<Batch<W>>,
+    dyn AnySystem: Bind<S>,
 {
-    for (block, expected) in group.chunks_exact(W).zip(expected.chunks_exact(W)) {
-        let lanes = |get: &dyn Fn(&Case) -> f64| Batch::<W>(std::array::from_fn(|lane| get(&block[lane])));
+    // There may be fewer cases than lanes: the rest repeats them.
+    for first in (0..group.len()).step_by(S::LANES) {
+        let case = |lane: usize| (first + lane) % group.len();
+        let lanes = |get: &dyn Fn(&Case) -> f64| S::from_lanes(|lane| get(&group[case(lane)]));
+        let block = &group[first..];
         let first = &block[0].values;
         let values = Values {
             numbers: (0..first.numbers.len()).map(|i| lanes(&|c| c.values.numbers[i])).collect(),
@@ -54,12 +58,12 @@ where
                 .collect(),
             choices: first.choices.clone(),
         };
-        let y: Vec<Batch<W>> = (0..block[0].y.len()).map(|i| lanes(&|c| c.y[i])).collect();
-        let field = Bind::<Batch<W>>::bind(system, values, &block[0].layout);
+        let y: Vec<S> = (0..block[0].y.len()).map(|i| lanes(&|c| c.y[i])).collect();
+        let field = Bind::<S>::bind(system, values, &block[0].layout);
         let found = everything(&*field, lanes(&|c| c.t), &y);
-        for lane in 0..W {
-            let found: Vec<f64> = found.iter().map(|x| x.0[lane]).collect();
-            same_bits(&format!("{W} lanes"), &block[lane], &found, &expected[lane])?;
+        for lane in 0..S::LANES {
+            let found: Vec<f64> = found.iter().map(|x| x.lanes()[lane]).collect();
+            same_bits(&format!("{} lanes", S::LANES), &group[case(lane)], &found, &expected[case(lane)])?;
         }
     }
     Ok(())
@@ -149,17 +153,16 @@ fn the_law_finds_a_number_that_differs() {
     const LAST_BIT: f64 = f64::EPSILON;
     let rate = "rate of x_dot";
     law(&Peeking { at: TypeId::of::<()>, error: 0.0 }).expect("the sound spring passes");
-    finds(&law(&Peeking { at: TypeId::of::<Batch<4>>, error: LAST_BIT }), &[rate, "4 lanes"]);
-    finds(&law(&Peeking { at: TypeId::of::<Batch<8>>, error: LAST_BIT }), &[rate, "8 lanes"]);
+    for isa in Isa::available().into_iter().filter(|isa| isa.lanes() > 1) {
+        let at = match isa {
+            Isa::Narrow => TypeId::of::<Narrow>,
+            Isa::Wide => TypeId::of::<Wide>,
+            _ => TypeId::of::<Widest>,
+        };
+        let lanes = format!("{} lanes", isa.lanes());
+        finds(&law(Box::leak(Box::new(Peeking { at, error: LAST_BIT }))), &[rate, &lanes]);
+    }
     finds(&law(&Peeking { at: TypeId::of::<Dual<f64>>, error: LAST_BIT }), &[rate, "a dual number"]);
     finds(&law(&Peeking { at: TypeId::of::<Traced>, error: LAST_BIT }), &[rate, "a recorded expression"]);
     finds(&law(&Peeking { at: TypeId::of::<DoubleDouble>, error: 1e-12 }), &[rate, "twice the digits"]);
-}
-
-/// A mask in an equation: [`Scalar::select`] must choose lane by lane.
-#[test]
-fn lanes_choose_for_themselves() {
-    let x = Batch::<4>([-1.0, 0.0, 2.0, -0.0]);
-    let chosen = Batch::select(x.lt(Batch::from(0.0)), -x, x);
-    assert_eq!(chosen.0, [1.0, 0.0, 2.0, 0.0]);
 }

@@ -2,6 +2,8 @@
 
 use super::exact::{fast_two_sum, power_of_two, round};
 use super::polynomial::pairs;
+use crate::Lanes;
+use crate::register::Word;
 
 /// ln 2 in two parts; the first has 41 bits, so that its product with an exponent is exact.
 pub const LN2: [f64; 2] = [0.693147180559663, 2.8235290563031577e-13];
@@ -17,41 +19,41 @@ const EXP: [[f64; 2]; 5] = [
 
 /// A number `(high + low) 2^exponent`, the exponent in two's complement.
 #[derive(Clone, Copy)]
-pub struct Scaled {
+pub struct Scaled<S: Lanes> {
     /// The leading part, in [0.7, 1.42].
-    pub high: f64,
+    pub high: S,
     /// What it leaves out.
-    pub low: f64,
+    pub low: S,
     /// The power of two.
-    pub exponent: u64,
+    pub exponent: Word<S::Register>,
 }
 
 /// `e^(x + tail)` for a small tail; arguments beyond the range of results are brought to its border.
 #[inline(always)]
-pub fn parts(x: f64, tail: f64) -> Scaled {
-    let inside = (x < 720.0) & (x > -760.0);
-    let x = if x > 720.0 { 720.0 } else { x };
-    let x = if x < -760.0 { -760.0 } else { x };
-    let tail = if inside { tail } else { 0.0 };
+pub fn parts<S: Lanes>(x: S, tail: S) -> Scaled<S> {
+    let inside = x.below(720.0) & x.above(-760.0);
+    let x = S::select(x.above(720.0), S::from(720.0), x);
+    let x = S::select(x.below(-760.0), S::from(-760.0), x);
+    let tail = S::select(inside, tail, S::from(0.0));
     let (n, exponent) = round(x * std::f64::consts::LOG2_E);
     let (r, error) = fast_two_sum(x - n * LN2[0], tail - n * LN2[1]);
     let square = r * r;
-    let rest = square * 0.5 + ((square * r) * pairs(r, EXP) + error * (1.0 + r));
-    let (sum, error) = fast_two_sum(1.0, r);
+    let rest = square * 0.5 + ((square * r) * pairs(r, EXP) + error * (r + 1.0));
+    let (sum, error) = fast_two_sum(S::from(1.0), r);
     let (high, low) = fast_two_sum(sum, error + rest);
     Scaled { high, low, exponent }
 }
 
 /// `x 2^n` for `n` in -2000..2000, in two steps of which only the second may round.
 #[inline(always)]
-pub fn scale(x: f64, n: u64) -> f64 {
-    let half = (n.wrapping_add(2048) >> 1).wrapping_sub(1024);
-    x * power_of_two(half) * power_of_two(n.wrapping_sub(half))
+pub fn scale<S: Lanes>(x: S, n: Word<S::Register>) -> S {
+    let half = (n + 2048).right(1) - 1024;
+    x * power_of_two::<S>(half) * power_of_two::<S>(n - half)
 }
 
 /// Exponential, within 1 ulp, subnormal results included.
 #[inline(always)]
-pub fn exp(x: f64) -> f64 {
-    let parts = parts(x, 0.0);
+pub fn exp<S: Lanes>(x: S) -> S {
+    let parts = parts(x, S::from(0.0));
     scale(parts.high, parts.exponent)
 }

@@ -2,6 +2,7 @@
 
 use super::exact::{fast_two_sum, two_prod};
 use super::trig::Reduced;
+use crate::Lanes;
 
 /// 2/pi, after a leading word of zeros.
 const TWO_OVER_PI: [u64; 23] = [
@@ -85,13 +86,29 @@ fn leading(words: [u64; 4]) -> (f64, f64) {
     fast_two_sum(first, second)
 }
 
-/// Quadrant and rest of a huge finite angle.
+/// Quadrant and rest of the huge angles among some; `far` tells which they are, a bit a lane. An infinite one keeps
+/// the NaN that it has.
 #[cold]
 #[inline(never)]
-pub fn reduce(x: f64) -> Reduced {
+pub fn patch<S: Lanes>(x: S, far: u32, mut reduced: Reduced<S>) -> Reduced<S> {
+    let mut quadrants = S::of_bits(reduced.quadrant);
+    for (lane, &x) in x.lanes().iter().enumerate() {
+        if far >> lane & 1 == 1 && x.is_finite() {
+            let (quadrant, rest, tail) = reduce(x);
+            quadrants.lanes_mut()[lane] = f64::from_bits(quadrant);
+            reduced.rest.lanes_mut()[lane] = rest;
+            reduced.tail.lanes_mut()[lane] = tail;
+        }
+    }
+    reduced.quadrant = quadrants.bits();
+    reduced
+}
+
+/// Quadrant, rest and tail of a huge finite angle.
+fn reduce(x: f64) -> (u64, f64, f64) {
     let (quadrant, (high, low)) = turns(x);
     let (product, error) = two_prod(high, std::f64::consts::FRAC_PI_2);
     let error = error + (high * 6.123233995736766e-17 + low * std::f64::consts::FRAC_PI_2);
     let (rest, tail) = fast_two_sum(product, error);
-    Reduced { quadrant, rest, tail }
+    (quadrant, rest, tail)
 }

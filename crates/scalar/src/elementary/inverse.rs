@@ -1,7 +1,8 @@
 //! Arc functions: all are the angle of a point, whose coordinates may come in two parts.
 
-use super::exact::{fast_two_sum, quotient, square_root, two_prod, two_sum};
+use super::exact::{fast_two_sum, quotient, select_pair, square_root, two_prod, two_sum};
 use super::polynomial::pairs;
+use crate::Lanes;
 
 /// pi/4 in two parts; the first ends in three zero bits, so that small multiples are exact.
 const FRAC_PI_4: [f64; 2] = [std::f64::consts::FRAC_PI_4, 3.061616997868383e-17];
@@ -17,78 +18,84 @@ const ATAN: [[f64; 2]; 6] = [
 ];
 
 #[inline(always)]
-fn magnitude(x: (f64, f64)) -> (f64, f64) {
-    (x.0.abs(), if x.0 < 0.0 { -x.1 } else { x.1 })
+fn magnitude<S: Lanes>(x: (S, S)) -> (S, S) {
+    (x.0.abs(), S::select(x.0.below(0.0), -x.1, x.1))
 }
 
 /// Angle of the point (x, y), for finite coordinates well inside the range of exponents.
 #[inline(always)]
-fn angle(y: (f64, f64), x: (f64, f64)) -> f64 {
+fn angle<S: Lanes>(y: (S, S), x: (S, S)) -> S {
+    let (zero, one) = (S::from(0.0), S::from(1.0));
     let (tall, wide) = (magnitude(y), magnitude(x));
     // Fold into the first octant, then about its middle: |t| <= tan(pi/8).
-    let steep = tall.0 > wide.0;
-    let long = if steep { tall } else { wide };
-    let short = if steep { wide } else { tall };
-    let folded = short.0 > long.0 * 0.41421356237309503;
+    let steep = tall.0.gt(wide.0);
+    let long = select_pair(steep, tall, wide);
+    let short = select_pair(steep, wide, tall);
+    let folded = short.0.gt(long.0 * 0.41421356237309503);
     let difference = two_sum(short.0, -long.0);
     let sum = fast_two_sum(long.0, short.0);
     let difference = (difference.0, difference.1 + (short.1 - long.1));
     let sum = (sum.0, sum.1 + (long.1 + short.1));
-    let numerator = if folded { difference } else { short };
-    let denominator = if folded { sum } else { long };
-    let denominator = if denominator.0 == 0.0 { (1.0, 0.0) } else { denominator };
+    let numerator = select_pair(folded, difference, short);
+    let denominator = select_pair(folded, sum, long);
+    let denominator = select_pair(denominator.0.is(0.0), (one, zero), denominator);
     let (t, error) = quotient(numerator, denominator);
     // Below this the remainder of the division is itself subject to underflow.
-    let error = if numerator.0.abs() < 1e-280 { 0.0 } else { error };
+    let error = S::select(numerator.0.abs().below(1e-280), zero, error);
     let square = t * t;
-    let rest = (t * square) * pairs(square, ATAN) + error * (1.0 - square);
+    let rest = (t * square) * pairs(square, ATAN) + error * (one - square);
 
-    let eighths = if folded { 1.0 } else { 0.0 };
-    let eighths = if steep { 2.0 - eighths } else { eighths };
-    let behind = x.0.is_sign_negative();
-    let eighths = if behind { 4.0 - eighths } else { eighths };
-    let sign = if steep == behind { 1.0 } else { -1.0 };
+    let eighths = S::select(folded, one, zero);
+    let eighths = S::select(steep, S::from(2.0) - eighths, eighths);
+    let behind = x.0.is_negative();
+    let eighths = S::select(behind, S::from(4.0) - eighths, eighths);
+    let turned = (steep & !behind) | (behind & !steep);
+    let sign = S::select(turned, S::from(-1.0), one);
     let (high, low) = fast_two_sum(eighths * FRAC_PI_4[0], sign * t);
     let angle = high + (low + (eighths * FRAC_PI_4[1] + sign * rest));
-    angle.copysign(y.0)
+    angle.with_sign(y.0)
 }
 
 /// Angle of the point (`x`, `y`), within 2 ulp.
 #[inline(always)]
-pub fn atan2(y: f64, x: f64) -> f64 {
+pub fn atan2<S: Lanes>(y: S, x: S) -> S {
+    let (zero, one) = (S::from(0.0), S::from(1.0));
     let (tall, wide) = (y.abs(), x.abs());
-    let long = if tall > wide { tall } else { wide };
-    let factor = if long < 1e-210 { 1.2676506002282294e30 } else { 1.0 };
-    let factor = if long > 1e270 { 7.888609052210118e-31 } else { factor };
+    let long = S::select(tall.gt(wide), tall, wide);
+    let factor = S::select(long.below(1e-210), S::from(1.2676506002282294e30), one);
+    let factor = S::select(long.above(1e270), S::from(7.888609052210118e-31), factor);
     // Infinite coordinates lie on the axes and the diagonals.
-    let infinite = long == f64::INFINITY;
-    let corner = |size: f64| if size == f64::INFINITY { 1.0 } else { 0.0 };
-    let (tall_corner, wide_corner) = (corner(tall), corner(wide));
-    let (tall, wide) = (tall * factor, wide * factor);
-    let tall = if infinite { tall_corner } else { tall };
-    let wide = if infinite { wide_corner } else { wide };
-    let angle = angle((tall.copysign(y), 0.0), (wide.copysign(x), 0.0));
-    if x.is_nan() | y.is_nan() { f64::NAN } else { angle }
+    let infinite = long.is(f64::INFINITY);
+    let tall_corner = S::select(tall.is(f64::INFINITY), one, zero);
+    let wide_corner = S::select(wide.is(f64::INFINITY), one, zero);
+    let tall = S::select(infinite, tall_corner, tall * factor);
+    let wide = S::select(infinite, wide_corner, wide * factor);
+    let angle = angle((tall.with_sign(y), zero), (wide.with_sign(x), zero));
+    S::select(x.is_nan() | y.is_nan(), S::from(f64::NAN), angle)
 }
 
 /// `sqrt(1 - x^2)` in two parts.
 #[inline(always)]
-fn complement(x: f64) -> (f64, f64) {
+fn complement<S: Lanes>(x: S) -> (S, S) {
     let (square, error) = two_prod(x, x);
-    let (high, low) = fast_two_sum(1.0, -square);
+    let (high, low) = fast_two_sum(S::from(1.0), -square);
     square_root((high, low - error))
 }
 
 /// Arc sine, within 2 ulp; NaN outside [-1, 1].
 #[inline(always)]
-pub fn asin(x: f64) -> f64 {
-    let angle = angle((x, 0.0), complement(x));
-    if x.abs() <= 1.0 { angle } else { f64::NAN }
+pub fn asin<S: Lanes>(x: S) -> S {
+    inside(x, angle((x, S::from(0.0)), complement(x)))
 }
 
 /// Arc cosine, within 2 ulp; NaN outside [-1, 1].
 #[inline(always)]
-pub fn acos(x: f64) -> f64 {
-    let angle = angle(complement(x), (x, 0.0));
-    if x.abs() <= 1.0 { angle } else { f64::NAN }
+pub fn acos<S: Lanes>(x: S) -> S {
+    inside(x, angle(complement(x), (x, S::from(0.0))))
+}
+
+/// NaN where no angle has such a sine.
+#[inline(always)]
+fn inside<S: Lanes>(x: S, angle: S) -> S {
+    S::select(x.abs().le(S::from(1.0)), angle, S::from(f64::NAN))
 }

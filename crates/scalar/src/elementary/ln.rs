@@ -4,6 +4,7 @@
 use super::exact::{fast_two_sum, quotient, two_prod, two_sum};
 use super::exp::LN2;
 use super::polynomial::pairs;
+use crate::Lanes;
 
 /// `(2 atanh s / s - 2) / s^2` in `s^2`, error below `2^-58` of the logarithm.
 const LN: [[f64; 2]; 4] = [
@@ -25,49 +26,49 @@ const ONE: u64 = 0x3ff0000000000000;
 
 /// `(n, f)` with `x = 2^n (1 + f)`, for a positive finite `x`.
 #[inline(always)]
-fn decompose(x: f64) -> (f64, f64) {
-    let subnormal = x < f64::MIN_POSITIVE;
-    let x = if subnormal { x * 18014398509481984.0 } else { x };
-    let bits = x.to_bits();
-    let biased = bits.wrapping_add(ONE - SQRT_HALF) >> 52;
+fn decompose<S: Lanes>(x: S) -> (S, S) {
+    let subnormal = x.below(f64::MIN_POSITIVE);
+    let x = S::select(subnormal, x * 18014398509481984.0, x);
+    let bits = x.bits();
+    let biased = (bits + (ONE - SQRT_HALF)).right(52);
     // An integer under the exponent of 2^52 is a number.
-    let n = f64::from_bits(biased | 0x4330000000000000)
-        - if subnormal { 4503599627371573.0 } else { 4503599627371519.0 };
-    (n, f64::from_bits(bits.wrapping_sub(biased << 52).wrapping_add(ONE)) - 1.0)
+    let n = S::of_bits(biased | 0x4330000000000000)
+        - S::select(subnormal, S::from(4503599627371573.0), S::from(4503599627371519.0));
+    (n, S::of_bits(bits - biased.left(52) + ONE) - 1.0)
 }
 
 /// Natural logarithm, within 1 ulp.
 #[inline(always)]
-pub fn ln(x: f64) -> f64 {
+pub fn ln<S: Lanes>(x: S) -> S {
     let (n, f) = decompose(x);
-    let s = f / (2.0 + f);
+    let s = f / (f + 2.0);
     let square = s * s;
-    let half = 0.5 * f * f;
+    let half = f * 0.5 * f;
     let series = square * pairs(square, LN);
     let (sum, error) = fast_two_sum(n * LN2[0], f);
     let value = sum + (error + (n * LN2[1] - (half - s * (half + series))));
-    let value = if x < f64::INFINITY { value } else { x };
-    let value = if x == 0.0 { f64::NEG_INFINITY } else { value };
-    if x < 0.0 { f64::NAN } else { value }
+    let value = S::select(x.below(f64::INFINITY), value, x);
+    let value = S::select(x.is(0.0), S::from(f64::NEG_INFINITY), value);
+    S::select(x.below(0.0), S::from(f64::NAN), value)
 }
 
 /// Natural logarithm of a positive finite number in two parts, error below `2^-63` of it.
 #[inline(always)]
-pub fn parts(x: f64) -> (f64, f64) {
+pub fn parts<S: Lanes>(x: S) -> (S, S) {
     let (n, f) = decompose(x);
-    let s = quotient((f, 0.0), two_sum(2.0, f));
+    let s = quotient((f, S::from(0.0)), two_sum(S::from(2.0), f));
     let s = fast_two_sum(s.0, s.1);
     let (square, square_error) = two_prod(s.0, s.0);
-    let square_low = square_error + 2.0 * s.0 * s.1;
+    let square_low = square_error + s.0 * 2.0 * s.1;
     // 2 s + s^3 (2/3 + s^2 tail), the 2/3 in two parts.
-    let third = 0.6666666666666666;
+    let third = S::from(0.6666666666666666);
     let (inner, inner_error) = fast_two_sum(third, square * pairs(square, LN_TAIL));
     let inner_low = inner_error + 3.700743415417188e-17;
     let (cube, cube_error) = two_prod(s.0, square);
     let cube_low = cube_error + (s.0 * square_low + s.1 * square);
     let (term, term_error) = two_prod(cube, inner);
     let term_low = term_error + (cube * inner_low + cube_low * inner);
-    let (series, series_error) = fast_two_sum(2.0 * s.0, term);
+    let (series, series_error) = fast_two_sum(s.0 * 2.0, term);
     let (sum, sum_error) = fast_two_sum(n * LN2[0], series);
-    fast_two_sum(sum, sum_error + (series_error + (term_low + (2.0 * s.1 + n * LN2[1]))))
+    fast_two_sum(sum, sum_error + (series_error + (term_low + (s.1 * 2.0 + n * LN2[1]))))
 }

@@ -51,4 +51,24 @@ pub use trig::{sin_cos, tan};
 pub(crate) use exact::{two_prod, two_sum};
 pub(crate) use huge::turns;
 pub(crate) use power::repeated_squaring;
-pub(crate) use trig::{is_huge, ordinary_sin_cos, ordinary_tan};
+
+/// The elementary functions as methods of [`Scalar`](crate::Scalar), for every number that is made of doubles.
+macro_rules! methods {
+    () => {
+        elementary::methods! {
+            tan(self), atan2(self, x: Self), asin(self), acos(self), exp(self), ln(self), sinh(self), cosh(self),
+            tanh(self), powi(self, n: i32), powf(self, exponent: Self), cbrt(self), hypot(self, other: Self)
+        }
+        #[inline(always)]
+        fn sin_cos(self) -> (Self, Self) {
+            elementary::sin_cos(self)
+        }
+    };
+    ($($name:ident($itself:ident $(, $other:ident: $type:ty)?)),*) => {$(
+        #[inline(always)]
+        fn $name($itself $(, $other: $type)?) -> Self {
+            elementary::$name($itself $(, $other)?)
+        }
+    )*};
+}
+pub(crate) use methods;

@@ -1,7 +1,9 @@
 //! Sine, cosine, tangent: reduction by multiples of pi/2 (Cody and Waite 1980), then a polynomial.
 
-use super::exact::{fast_two_sum, quotient, round};
+use super::exact::{fast_two_sum, quotient, round, select_pair};
 use super::{huge, polynomial::pairs};
+use crate::Lanes;
+use crate::register::Word;
 
 /// From here on the argument is reduced by [`huge`].
 const HUGE: f64 = 262144.0;
@@ -24,20 +26,13 @@ const COS: [[f64; 2]; 3] = [
 
 /// An angle as a quadrant (modulo four counts) and a rest of at most pi/4 in two parts.
 #[derive(Clone, Copy)]
-pub struct Reduced {
+pub struct Reduced<S: Lanes> {
     /// Number of quarter turns, modulo a power of two.
-    pub quadrant: u64,
+    pub quadrant: Word<S::Register>,
     /// The rest.
-    pub rest: f64,
+    pub rest: S,
     /// What the rest leaves out.
-    pub tail: f64,
-}
-
-/// Whether the argument is finite and beyond the reach of the ordinary reduction.
-#[inline(always)]
-pub fn is_huge(x: f64) -> bool {
-    let size = x.abs();
-    (size >= HUGE) & (size < f64::INFINITY)
+    pub tail: S,
 }
 
 /// Ordinary reduction. Each subtraction is either exact or leaves its rounding error in the tail.
@@ -45,72 +40,64 @@ pub fn is_huge(x: f64) -> bool {
 /// The double below [`HUGE`] that this serves worst, 46066.74387591393, has a rest 2.3 times the last
 /// product: that one's own error is then 0.4 ulp of the sine, and nothing else errs.
 #[inline(always)]
-fn reduce(x: f64) -> Reduced {
+fn ordinary<S: Lanes>(x: S) -> Reduced<S> {
     let (n, quadrant) = round(x * std::f64::consts::FRAC_2_PI);
     let first = x - n * PIO2[0];
     let (rest, error) = fast_two_sum(first, -(n * PIO2[1]));
     Reduced { quadrant, rest, tail: error - n * PIO2[2] }
 }
 
+/// Reduction of any finite angle.
+#[inline(always)]
+fn reduce<S: Lanes>(x: S) -> Reduced<S> {
+    let Reduced { mut quadrant, mut rest, mut tail } = ordinary(x);
+    let far = S::from(HUGE).le(x.abs());
+    if S::any(far) {
+        // Field by field: assigned as a whole, the ordinary case would go through memory, too.
+        let patched = huge::patch(x, S::truth(far), Reduced { quadrant, rest, tail });
+        (quadrant, rest, tail) = (patched.quadrant, patched.rest, patched.tail);
+    }
+    Reduced { quadrant, rest, tail }
+}
+
 /// Sine and cosine of the rest, each as a leading part and a correction.
 #[inline(always)]
-fn kernel(r: f64, tail: f64) -> ((f64, f64), (f64, f64)) {
+fn kernel<S: Lanes>(r: S, tail: S) -> ((S, S), (S, S)) {
     let square = r * r;
     let half = square * 0.5;
-    let one = 1.0 - half;
+    let one = S::from(1.0) - half;
     let bend = (r * square) * pairs(square, SIN);
     let sin = bend + tail * one;
     // The tail may be some units of the rest: its factor is sin r, and r would not do.
-    let cos = ((1.0 - one) - half) + ((square * square) * pairs(square, COS) - (r + bend) * tail);
+    let cos = ((S::from(1.0) - one) - half) + ((square * square) * pairs(square, COS) - (r + bend) * tail);
     ((r, sin), (one, cos))
-}
-
-#[inline(always)]
-fn sin_cos_of(angle: Reduced) -> (f64, f64) {
-    let (sin, cos) = kernel(angle.rest, angle.tail);
-    // The sign of a zero would be lost in the sum.
-    let sin = (sin.0 + sin.1).copysign(angle.rest);
-    let cos = cos.0 + cos.1;
-    let odd = angle.quadrant & 1 != 0;
-    let sin_sign = (angle.quadrant & 2) << 62;
-    let cos_sign = (angle.quadrant.wrapping_add(1) & 2) << 62;
-    let (s, c) = (if odd { cos } else { sin }, if odd { sin } else { cos });
-    (f64::from_bits(s.to_bits() ^ sin_sign), f64::from_bits(c.to_bits() ^ cos_sign))
-}
-
-#[inline(always)]
-fn tan_of(angle: Reduced) -> f64 {
-    let (sin, cos) = kernel(angle.rest, angle.tail);
-    let sin = fast_two_sum(sin.0, sin.1);
-    let cos = fast_two_sum(cos.0, cos.1);
-    let odd = angle.quadrant & 1 != 0;
-    let minus_sin = (-sin.0, -sin.1);
-    let (ratio, correction) = quotient(if odd { cos } else { sin }, if odd { minus_sin } else { cos });
-    // The sign of a zero, again.
-    let tan = ratio + correction;
-    if angle.rest == 0.0 && !odd { angle.rest } else { tan }
-}
-
-/// Sine and cosine of an argument that is not huge.
-#[inline(always)]
-pub fn ordinary_sin_cos(x: f64) -> (f64, f64) {
-    sin_cos_of(reduce(x))
-}
-
-/// Tangent of an argument that is not huge.
-#[inline(always)]
-pub fn ordinary_tan(x: f64) -> f64 {
-    tan_of(reduce(x))
 }
 
 /// Sine and cosine, each within 1 ulp for every argument.
 #[inline(always)]
-pub fn sin_cos(x: f64) -> (f64, f64) {
-    sin_cos_of(if is_huge(x) { huge::reduce(x) } else { reduce(x) })
+pub fn sin_cos<S: Lanes>(x: S) -> (S, S) {
+    let angle = reduce(x);
+    let (sin, cos) = kernel(angle.rest, angle.tail);
+    // The sign of a zero would be lost in the sum.
+    let sin = (sin.0 + sin.1).with_sign(angle.rest);
+    let cos = cos.0 + cos.1;
+    let odd = S::odd(angle.quadrant);
+    let sin_sign = (angle.quadrant & 2).left(62);
+    let cos_sign = ((angle.quadrant + 1) & 2).left(62);
+    let (s, c) = (S::select(odd, cos, sin), S::select(odd, sin, cos));
+    (S::of_bits(s.bits() ^ sin_sign), S::of_bits(c.bits() ^ cos_sign))
 }
 
 /// Tangent, within 2 ulp for every argument.
 #[inline(always)]
-pub fn tan(x: f64) -> f64 {
-    tan_of(if is_huge(x) { huge::reduce(x) } else { reduce(x) })
+pub fn tan<S: Lanes>(x: S) -> S {
+    let angle = reduce(x);
+    let (sin, cos) = kernel(angle.rest, angle.tail);
+    let sin = fast_two_sum(sin.0, sin.1);
+    let cos = fast_two_sum(cos.0, cos.1);
+    let odd = S::odd(angle.quadrant);
+    let minus_sin = (-sin.0, -sin.1);
+    let (ratio, correction) = quotient(select_pair(odd, cos, sin), select_pair(odd, minus_sin, cos));
+    // The sign of a zero, again.
+    S::select(angle.rest.is(0.0) & !odd, angle.rest, ratio + correction)
 }

@@ -1,7 +1,7 @@
 //! A tape gives the bits of the function it was recorded from, and holds each operation once.
 
 use crate::random::{Generator, expression, value_and_size};
-use precess_scalar::{Batch, Dimension, Dual, Scalar, Tape, Traced, Unit, Workspace};
+use precess_scalar::{Dimension, Dual, Isa, Lanes, Scalar, Tape, Traced, Unit, Workspace, with_lanes};
 
 fn same(a: f64, b: f64) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
@@ -28,15 +28,23 @@ fn a_replay_gives_the_same_bits() {
     assert!(finite > 4000, "only {finite} of the values tested were finite");
 }
 
-#[test]
-fn every_lane_of_a_replay_gives_the_same_bits() {
+fn lanes_of_a_replay<S: Lanes>() {
+    let values = [[0.7, -0.0, 2.0, 1e200], [-1.3, 0.4, f64::INFINITY, 3.0]];
     for seed in 0..300 {
         let tape = Tape::record(2, |x| vec![expression(seed, 25, x)]);
-        let x = [Batch([0.7, -0.0, 2.0, 1e200]), Batch([-1.3, 0.4, f64::INFINITY, 3.0])];
-        let lanes = tape.evaluate(&x)[0].0;
-        for (i, lane) in lanes.into_iter().enumerate() {
-            assert!(same(lane, expression(seed, 25, &x.map(|x| x.0[i]))), "expression {seed}, lane {i}");
+        let x = values.map(|values| S::from_lanes(|i| values[i % 4]));
+        let number = tape.evaluate(&x)[0];
+        for (i, &lane) in number.lanes().iter().enumerate() {
+            let plain = values.map(|values| values[i % 4]);
+            assert!(same(lane, expression(seed, 25, &plain)), "expression {seed}, lane {i}");
         }
+    }
+}
+
+#[test]
+fn every_lane_of_a_replay_gives_the_same_bits() {
+    for isa in Isa::available() {
+        with_lanes!(isa, S => lanes_of_a_replay::<S>());
     }
 }
 

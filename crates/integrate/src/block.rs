@@ -1,0 +1,113 @@
+//! Fixed steps for several trajectories at once, side by side in the lanes of a few registers.
+//!
+//! All trajectories of a block share the times of their steps, and nothing else: a trajectory has the bits that it
+//! has alone. A block has several rows of registers, and the equations are evaluated for one row after another: a
+//! processor begins the next row while the divisions and roots of the last one are still under way.
+
+use crate::stretch::Stretch;
+use crate::{AnyMethod, NoConvergence, Options, Samples, Step, Stepper, Steps};
+use precess_scalar::{Kernel, Lanes};
+use precess_system::Field;
+
+/// Rows of a block.
+const ROWS: usize = 8;
+
+/// What the trajectories of an ensemble have in common.
+pub struct Block<'a, S: Lanes> {
+    /// The system, which must have no events: those differ from lane to lane.
+    pub field: &'a dyn Field<S>,
+    /// The method.
+    pub method: &'a (dyn AnyMethod + 'static),
+    /// Its options.
+    pub options: Options,
+    /// When to record.
+    pub samples: Samples,
+    /// Length of a step.
+    pub dt: f64,
+}
+
+impl<S: Lanes> Block<'_, S>
+where
+    dyn AnyMethod: Steps<S>,
+{
+    /// The most trajectories that a block holds.
+    pub const CAPACITY: usize = ROWS * S::LANES;
+
+    /// Steps trajectories from their full states, one after another in `starts`, to the end. `record` is given
+    /// the number of a sample, that of a trajectory, and its full state; the states that are not finite stay so.
+    ///
+    /// # Errors
+    /// Where an implicit step does not converge in some lane; the other lanes are then unfinished, too.
+    ///
+    /// # Panics
+    /// Where there are more than [`CAPACITY`](Self::CAPACITY) trajectories, or none.
+    pub fn run(
+        &self,
+        starts: &[f64],
+        record: &mut dyn FnMut(u64, usize, &[f64]),
+    ) -> Result<(), NoConvergence> {
+        let full = self.field.shape().full();
+        let count = starts.len() / full;
+        assert!((1..=Self::CAPACITY).contains(&count), "{count} trajectories, not 1 to {}", Self::CAPACITY);
+        let shape = self.field.shape().with_rows(count.div_ceil(S::LANES));
+        // Lanes that are left over repeat the last trajectory.
+        let start = |row: usize, lane: usize, i: usize| {
+            let trajectory = row * S::LANES + lane;
+            starts[(if trajectory < count { trajectory } else { count - 1 }) * full + i]
+        };
+        let mut y = vec![S::from(0.0); shape.size()];
+        for row in 0..shape.rows {
+            for j in 0..full {
+                y[shape.place(row, j)] = S::from_lanes(|lane| start(row, lane, j));
+            }
+        }
+        let mut next = y.clone();
+        let mut stepper = self.method.stepper(&shape, &self.options);
+        let mut state = vec![0.0; full];
+        let mut tell = |sample: u64, y: &[S]| {
+            for trajectory in 0..count {
+                for (j, x) in state.iter_mut().enumerate() {
+                    *x = y[shape.place(trajectory / S::LANES, j)].lanes()[trajectory % S::LANES];
+                }
+                record(sample, trajectory, &state);
+            }
+        };
+        tell(0, &y);
+        for sample in 1..=self.samples.last() {
+            let (from, to) = (self.samples.time(sample - 1), self.samples.time(sample));
+            let steps = Stretch::new(from, to, if to < from { -self.dt } else { self.dt });
+            let (field, stepper) = (self.field, &mut *stepper);
+            S::enter(Advance { field, stepper, steps, from, y: &mut y, next: &mut next })?;
+            tell(sample, &y);
+        }
+        Ok(())
+    }
+}
+
+/// The steps from one sample to the next. The loop is compiled for the registers, too: times and lengths are handed
+/// on as whole registers.
+struct Advance<'a, S: Lanes> {
+    field: &'a dyn Field<S>,
+    stepper: &'a mut dyn Stepper<S>,
+    steps: Stretch,
+    from: f64,
+    y: &'a mut Vec<S>,
+    next: &'a mut Vec<S>,
+}
+
+impl<S: Lanes> Kernel for Advance<'_, S> {
+    type Output = Result<(), NoConvergence>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { field, stepper, steps, from, y, next } = self;
+        let mut t = from;
+        for (h, end) in steps {
+            stepper.step(&mut Step { field, t: S::from(t), y, h: S::from(h), out: next })?;
+            stepper.accept();
+            std::mem::swap(y, next);
+            t = end;
+        }
+        Ok(())
+    }
+}

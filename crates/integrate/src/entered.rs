@@ -1,0 +1,56 @@
+//! A stepper that works inside [`Scalar::enter`]: with the machine's instructions for its number.
+
+use crate::{Dense, NoConvergence, Step, Stepper};
+use precess_scalar::{Kernel, Scalar};
+use precess_system::Field;
+
+/// A stepper whose steps are compiled for the instructions of their number.
+pub(crate) struct Entered<T>(pub T);
+
+struct Taken<'a, 'b, T, S: Scalar> {
+    stepper: &'a mut T,
+    step: &'a mut Step<'b, S>,
+}
+
+impl<S: Scalar, T: Stepper<S>> Kernel for Taken<'_, '_, T, S> {
+    type Output = Result<(), NoConvergence>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        self.stepper.step(self.step)
+    }
+}
+
+struct Estimate<'a, T, S> {
+    stepper: &'a mut T,
+    h: &'a S,
+    weights: &'a [S],
+}
+
+impl<S: Scalar, T: Stepper<S>> Kernel for Estimate<'_, T, S> {
+    type Output = S;
+    #[inline(always)]
+    fn run(self) -> S {
+        self.stepper.error(*self.h, self.weights)
+    }
+}
+
+impl<S: Scalar, T: Stepper<S>> Stepper<S> for Entered<T> {
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        S::enter(Taken { stepper: &mut self.0, step })
+    }
+    fn error(&mut self, h: S, weights: &[S]) -> S {
+        S::enter(Estimate { stepper: &mut self.0, h: &h, weights })
+    }
+    fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
+        self.0.dense(field, t, y, h, end)
+    }
+    fn accept(&mut self) {
+        self.0.accept();
+    }
+    fn restart(&mut self) {
+        self.0.restart();
+    }
+    fn evaluations(&self) -> u64 {
+        self.0.evaluations()
+    }
+}

@@ -1,0 +1,277 @@
+//! One plan from many starts: blocks of lanes, threads over blocks.
+//!
+//! A member of an ensemble has the bits that it has when it runs alone, whatever the registers, the number of threads
+//! and the neighbours. Methods with fixed steps run in lanes; adaptive ones, and systems with events, whose steps differ
+//! from member to member, run one member after another.
+
+use crate::error::{Error, input};
+use crate::hash::numbers;
+use crate::plan::{Plan, Step};
+use crate::run::Runner;
+use precess_integrate::{AnyMethod, Block, Failure, Samples, Steps};
+use precess_scalar::{Isa, Lanes, with_lanes};
+use precess_system::{AnySystem, Bind};
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
+
+/// What is kept of each member.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keep {
+    /// The state at the end.
+    Last,
+    /// The state at every sample.
+    Samples,
+}
+
+/// How an ensemble is computed: nothing here changes a bit of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Workers {
+    /// The registers.
+    pub isa: Isa,
+    /// The number of threads, at least one.
+    pub threads: usize,
+}
+
+impl Workers {
+    /// The widest registers of this machine, and a thread for each of its cores.
+    pub fn all() -> Self {
+        Self { isa: Isa::best(), threads: std::thread::available_parallelism().map_or(1, Into::into) }
+    }
+
+    /// The registers that the environment variable `PRECESS_LANES` names, otherwise the widest; a thread a core.
+    ///
+    /// # Errors
+    /// Where this machine has no registers of that name; the sentence lists what it has.
+    pub fn chosen() -> Result<Self, Error> {
+        match std::env::var("PRECESS_LANES") {
+            Ok(name) => match Isa::named(&name) {
+                Ok(isa) => Ok(Self { isa, ..Self::all() }),
+                Err(error) => input(format!("PRECESS_LANES: {error}")),
+            },
+            Err(_) => Ok(Self::all()),
+        }
+    }
+}
+
+/// What came out of an ensemble.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Members {
+    /// Numbers of a state: coordinates, velocities.
+    pub state: usize,
+    /// The times of the states that are kept of each member.
+    pub times: Vec<f64>,
+    /// The states: member by member, sample by sample. NaN after a failure.
+    pub numbers: Vec<f64>,
+    /// The members that ended before their time, in order.
+    pub failures: Vec<(usize, Failure)>,
+}
+
+impl Members {
+    /// The states of a member, one after another.
+    pub fn member(&self, k: usize) -> &[f64] {
+        let size = self.state * self.times.len();
+        &self.numbers[k * size..][..size]
+    }
+
+    /// SHA-256 of a member's times and states: the hash of the same run alone, where every sample is kept.
+    pub fn hash(&self, k: usize) -> String {
+        let rows = self.times.iter().zip(self.member(k).chunks(self.state));
+        numbers(rows.flat_map(|(&t, state)| std::iter::once(t).chain(state.iter().copied())))
+    }
+}
+
+/// Runs a plan from many starts: full states, one after another (see [`grid`](crate::grid)). `progress` is told how
+/// many members are done and may end the work; members that are not done then count as interrupted.
+///
+/// # Errors
+/// Where the plan watches events: only a single run does.
+pub fn ensemble(
+    plan: &Plan,
+    starts: &[f64],
+    keep: Keep,
+    workers: Workers,
+    progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Result<Members, Error> {
+    if !plan.watches.is_empty() {
+        return input("an ensemble watches no events: leave [[event]] out, or run its members one by one");
+    }
+    with_lanes!(workers.isa, S => Ok(Work::<S>::new(plan, starts, keep).done_by(workers.threads, progress)))
+}
+
+/// The work that threads share.
+struct Work<'a, S> {
+    plan: &'a Plan,
+    starts: &'a [f64],
+    samples: Samples,
+    keep: Keep,
+    /// Steps of this length in lanes; otherwise one member after another.
+    dt: Option<f64>,
+    number: std::marker::PhantomData<S>,
+}
+
+/// The states of some members, and their failures.
+type Part = (Vec<f64>, Vec<(usize, Failure)>);
+
+impl<'a, S: Lanes> Work<'a, S>
+where
+    dyn AnySystem: Bind<S>,
+    dyn AnyMethod: Steps<S>,
+{
+    fn new(plan: &'a Plan, starts: &'a [f64], keep: Keep) -> Self {
+        let dt = match plan.step {
+            Step::Fixed(dt) if plan.layout.events.is_empty() => Some(dt),
+            _ => None,
+        };
+        let samples = Samples::new(plan.until, plan.every);
+        Self { plan, starts, samples, keep, dt, number: std::marker::PhantomData }
+    }
+
+    fn full(&self) -> usize {
+        self.plan.start.len()
+    }
+    fn members(&self) -> usize {
+        self.starts.len() / self.full()
+    }
+    fn kept(&self) -> usize {
+        if self.keep == Keep::Last { 1 } else { self.samples.last() as usize + 1 }
+    }
+    /// Numbers kept of a member.
+    fn size(&self) -> usize {
+        self.kept() * self.plan.layout.shape().state()
+    }
+    /// Members that are computed together.
+    fn block(&self) -> usize {
+        if self.dt.is_some() { Block::<S>::CAPACITY } else { 1 }
+    }
+
+    fn done_by(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Members {
+        let blocks = self.members().div_ceil(self.block());
+        let mut parts: Vec<Option<Part>> = vec![None; blocks];
+        let mut done = 0;
+        let mut take = |index: usize, part: Part| {
+            parts[index] = Some(part);
+            done += self.block();
+            progress(done.min(self.members()))
+        };
+        if threads < 2 || blocks < 2 {
+            for index in 0..blocks {
+                if take(index, self.part(index)).is_break() {
+                    break;
+                }
+            }
+        } else {
+            self.spread(threads.min(blocks), blocks, &mut take);
+        }
+        self.join(parts)
+    }
+
+    /// Threads take the next block that nobody has taken; this one receives what they have done.
+    fn spread(&self, threads: usize, blocks: usize, take: &mut dyn FnMut(usize, Part) -> ControlFlow<()>) {
+        let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let (send, receive) = mpsc::channel();
+        std::thread::scope(|scope| {
+            for _ in 0..threads {
+                let (send, next, stop) = (send.clone(), &next, &stop);
+                scope.spawn(move || {
+                    while !stop.load(Ordering::Relaxed) {
+                        let index = next.fetch_add(1, Ordering::Relaxed);
+                        if index >= blocks || send.send((index, self.part(index))).is_err() {
+                            return;
+                        }
+                    }
+                });
+            }
+            drop(send);
+            for (index, part) in receive {
+                if take(index, part).is_break() {
+                    stop.store(true, Ordering::Relaxed);
+                }
+            }
+        });
+    }
+
+    /// The parts in order; what nobody has done was interrupted.
+    fn join(&self, parts: Vec<Option<Part>>) -> Members {
+        let mut members = Members {
+            state: self.plan.layout.shape().state(),
+            times: match self.keep {
+                Keep::Last => vec![self.plan.until],
+                Keep::Samples => (0..=self.samples.last()).map(|k| self.samples.time(k)).collect(),
+            },
+            numbers: Vec::with_capacity(self.members() * self.size()),
+            failures: vec![],
+        };
+        for (index, part) in parts.into_iter().enumerate() {
+            let range = self.range(index);
+            let (numbers, failures) = part.unwrap_or_else(|| {
+                let failures = range.clone().map(|member| (member, Failure::Interrupted { t: 0.0 }));
+                (vec![f64::NAN; range.len() * self.size()], failures.collect())
+            });
+            members.numbers.extend(numbers);
+            members.failures.extend(failures);
+        }
+        members
+    }
+
+    /// The members of a block.
+    fn range(&self, index: usize) -> std::ops::Range<usize> {
+        let first = index * self.block();
+        first..(first + self.block()).min(self.members())
+    }
+
+    fn part(&self, index: usize) -> Part {
+        let range = self.range(index);
+        let mut numbers = vec![f64::NAN; range.len() * self.size()];
+        let mut failures = vec![];
+        let done = self.dt.is_some_and(|dt| self.in_lanes(dt, range.clone(), &mut numbers));
+        let size = self.size();
+        for (member, numbers) in range.zip(numbers.chunks_mut(size)) {
+            // A member that did not come through in its lane runs alone, which tells when and why.
+            if !done || !numbers[size - self.plan.layout.shape().state()..].iter().all(|x| x.is_finite()) {
+                failures.extend(self.alone(member, numbers).map(|failure| (member, failure)));
+            }
+        }
+        (numbers, failures)
+    }
+
+    /// Where the k-th sample of a member is kept among its numbers.
+    fn place<'n>(&self, sample: u64, numbers: &'n mut [f64]) -> &'n mut [f64] {
+        let state = self.plan.layout.shape().state();
+        let k = if self.keep == Keep::Last { 0 } else { sample as usize };
+        &mut numbers[k * state..][..state]
+    }
+
+    /// False where an implicit step has not converged in some lane.
+    fn in_lanes(&self, dt: f64, members: std::ops::Range<usize>, numbers: &mut [f64]) -> bool {
+        let plan = self.plan;
+        let field = Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout);
+        let block =
+            Block { field: &*field, method: plan.method, options: plan.options, samples: self.samples, dt };
+        let (full, size, state) = (self.full(), self.size(), plan.layout.shape().state());
+        let starts = &self.starts[members.start * full..members.end * full];
+        let mut record = |sample: u64, member: usize, y: &[f64]| {
+            self.place(sample, &mut numbers[member * size..][..size]).copy_from_slice(&y[..state]);
+        };
+        block.run(starts, &mut record).is_ok()
+    }
+
+    fn alone(&self, member: usize, numbers: &mut [f64]) -> Option<Failure> {
+        numbers.fill(f64::NAN);
+        let state = self.plan.layout.shape().state();
+        let runner = Runner::new(self.plan);
+        let mut sample = 0;
+        let report = runner.drive(
+            &self.starts[member * self.full()..][..self.full()],
+            &mut |_, y| {
+                self.place(sample, numbers).copy_from_slice(&y[..state]);
+                sample += 1;
+            },
+            &mut |_| ControlFlow::Continue(()),
+        );
+        if report.failure.is_some() && self.keep == Keep::Last {
+            numbers.fill(f64::NAN);
+        }
+        report.failure
+    }
+}
