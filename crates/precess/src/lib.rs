@@ -12,6 +12,7 @@ mod drift;
 mod error;
 pub mod figure;
 mod hash;
+pub mod json;
 mod picture;
 mod plan;
 mod resolve;

@@ -3,13 +3,14 @@
 use std::process::Command;
 
 /// Each crate of ours and those of ours that it may depend on.
-const EDGES: [(&str, &[&str]); 6] = [
+const EDGES: [(&str, &[&str]); 7] = [
     ("precess-scalar", &[]),
     ("precess-system", &["precess-scalar"]),
     ("precess-models", &["precess-scalar", "precess-system"]),
     ("precess-integrate", &["precess-scalar", "precess-system"]),
     ("precess", &["precess-scalar", "precess-system", "precess-models", "precess-integrate"]),
     ("precess-cli", &["precess"]),
+    ("precess-wasm", &["precess"]),
 ];
 
 /// The lines of `cargo tree` at depth one: what a crate depends on.
