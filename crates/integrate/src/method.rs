@@ -1,7 +1,9 @@
 //! What a method is: its card, and a stepper for every number.
 
 use crate::Dense;
-use precess_scalar::{Batch, DoubleDouble, Dual, Scalar};
+use precess_scalar::{Batch, Scalar};
+#[cfg(feature = "laws")]
+use precess_scalar::{DoubleDouble, Dual};
 use precess_system::{Field, Shape};
 use std::fmt;
 
@@ -164,10 +166,16 @@ impl<M: Method, S: Scalar + Send> Steps<S> for M {
     }
 }
 
+/// The numbers that only the tests of the methods compute with so far: see the feature `laws` of `precess-system`.
+#[cfg(feature = "laws")]
+pub trait LawNumbers: Steps<Batch<4>> + Steps<DoubleDouble> + Steps<Dual<f64>> {}
+/// The numbers of the tests, without the feature `laws`: none.
+#[cfg(not(feature = "laws"))]
+pub trait LawNumbers {}
+impl<M: Method> LawNumbers for M {}
+
 /// A method whose type is forgotten.
-pub trait AnyMethod:
-    Sync + Steps<f64> + Steps<DoubleDouble> + Steps<Dual<f64>> + Steps<Batch<4>> + Steps<Batch<8>>
-{
+pub trait AnyMethod: Sync + LawNumbers + Steps<f64> + Steps<Batch<8>> {
     /// See [`Method::card`].
     fn card(&self) -> &'static MethodCard;
 }

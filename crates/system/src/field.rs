@@ -1,7 +1,9 @@
 //! The seam where a system's type is forgotten and the number's is kept.
 
 use crate::{Card, Given, Layout, Shape, State, System, Values};
-use precess_scalar::{Batch, Dependence, DoubleDouble, Dual, Scalar, Traced, Unit};
+use precess_scalar::{Batch, Dependence, Scalar, Traced};
+#[cfg(feature = "laws")]
+use precess_scalar::{DoubleDouble, Dual, Unit};
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -87,19 +89,21 @@ impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
     }
 }
 
+/// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
+/// more, which a browser would have to load.
+#[cfg(feature = "laws")]
+pub trait LawNumbers:
+    Bind<Batch<4>> + Bind<Dual<f64>> + Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit>
+{
+}
+/// The numbers of the laws, without the feature `laws`: none.
+#[cfg(not(feature = "laws"))]
+pub trait LawNumbers {}
+impl<M: System> LawNumbers for M {}
+
 /// A system whose type is forgotten: it makes fields over every kind of number.
 pub trait AnySystem:
-    Send
-    + Sync
-    + Bind<f64>
-    + Bind<Batch<4>>
-    + Bind<Batch<8>>
-    + Bind<Dual<f64>>
-    + Bind<Dual<Dual<f64>>>
-    + Bind<DoubleDouble>
-    + Bind<Dependence>
-    + Bind<Traced>
-    + Bind<Unit>
+    Send + Sync + LawNumbers + Bind<f64> + Bind<Batch<8>> + Bind<Dependence> + Bind<Traced>
 {
     /// See [`System::card`].
     fn card(&self) -> Card;

@@ -6,8 +6,15 @@ use precess::integrate::Failure;
 use precess::{Plan, Scenario};
 use std::ops::ControlFlow;
 
+/// A longer text is no scenario. The library takes more, but a file made for it, of nothing but nested tables, needs
+/// six hundred times its length to be understood, and 32 bits do not address that.
+const LONGEST: usize = 1 << 20;
+
 /// Runs a scenario. `watch` is told the time now and then and says whether to go on.
 pub fn run(text: &str, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, String), String> {
+    if text.len() > LONGEST {
+        return Err("the text is longer than 1 MiB: that is no scenario".into());
+    }
     let plan = Scenario::parse(text).and_then(|s| Plan::new(&s)).map_err(|e| e.to_string())?;
     fits(&plan)?;
     let mut full = false;
