@@ -59,7 +59,7 @@ wasm-target: cargo
 
 # Whoever lacks a tool for this face still gets the rest of the tests; the gate sets PRECESS_REQUIRE_ALL=1.
 test-web:
-	@if ! node -e 'process.exit(process.versions.node.split(".")[0] < 20)' 2>/dev/null || ! npm -v >/dev/null 2>&1; \
+	@if ! node -e 'process.exit(Number(process.versions.node.split(".")[0] < 20))' 2>/dev/null || ! npm -v >/dev/null 2>&1; \
 	then lacks="Node.js 20 or later with npm (https://nodejs.org)"; \
 	elif ! $(MAKE) --no-print-directory wasm-target; \
 	then lacks="Rust's target $(WASM) (rustup target add $(WASM))"; \
