@@ -44,14 +44,14 @@ golden: cargo
 	PRECESS_BLESS=1 $(CARGO) test -p precess --test golden
 
 # Two builds of the same core, with and without lanes of 128 bits. Never relaxed SIMD: its results differ between
-# machines. A folder for each, so that neither build makes the other one stale.
+# machines. A folder for each, so that neither build makes the other one stale; no path of this machine in the file.
 wasm: wasm-target
 	@mkdir -p web/wasm
 	@$(call build-wasm,precess,)
 	@$(call build-wasm,precess-simd128,-C target-feature=+simd128)
 
-build-wasm = CARGO_TARGET_$(shell echo $(WASM) | tr a-z- A-Z_)_RUSTFLAGS="$(2)" $(CARGO) build --quiet \
-	--profile wasm -p precess-wasm --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
+build-wasm = CARGO_TARGET_$(shell echo $(WASM) | tr a-z- A-Z_)_RUSTFLAGS="$(2) --remap-path-prefix=$${CARGO_HOME:-$$HOME/.cargo}=cargo" \
+	$(CARGO) build --quiet --profile wasm -p precess-wasm --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
 	&& cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm
 
 wasm-target: cargo
