@@ -2,8 +2,7 @@
 
 use crate::args::What;
 use crate::failure::Failure;
-use crate::json;
-use precess::{catalogue, scenarios};
+use precess::{catalogue, json, scenarios};
 use serde_json::{Map, Value};
 use std::fmt::Write;
 

@@ -4,7 +4,6 @@ mod args;
 mod compare;
 mod draw;
 mod failure;
-mod json;
 mod list;
 mod output;
 mod progress;

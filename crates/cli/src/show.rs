@@ -1,10 +1,10 @@
 //! `precess show SYSTEM`: everything a card says, and the equations it is integrated with.
 
 use crate::failure::Failure;
-use crate::{json, list};
+use crate::list;
 use precess::scalar::Notation;
 use precess::system::{Card, Default, Given, Layout, ObservableKind, Order, Quantity, Values};
-use precess::{catalogue, equations, value::shortest};
+use precess::{catalogue, equations, json, value::shortest};
 use std::fmt::Write;
 
 /// Shows a system.

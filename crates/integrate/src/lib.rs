@@ -27,7 +27,8 @@ pub use drive::{Drive, Pace, Report, drive};
 pub use event::{Observed, Occurred, Source, Watched};
 pub use failure::Failure;
 pub use method::{
-    AnyMethod, Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper, Steps,
+    AnyMethod, Kind, LawNumbers, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step,
+    Stepper, Steps,
 };
 pub use methods::METHODS;
 pub use samples::Samples;

@@ -2,7 +2,9 @@
 
 use crate::Dense;
 use crate::entered::Entered;
-use precess_scalar::{DoubleDouble, Dual, Narrow, Scalar, Wide, Widest};
+#[cfg(feature = "laws")]
+use precess_scalar::{DoubleDouble, Dual};
+use precess_scalar::{Narrow, Scalar, Wide, Widest};
 use precess_system::{Field, Shape};
 use std::fmt;
 
@@ -185,10 +187,16 @@ impl<M: Method, S: Scalar + Send> Steps<S> for M {
     }
 }
 
+/// The numbers that only the tests of the methods compute with so far: see the feature `laws` of `precess-system`.
+#[cfg(feature = "laws")]
+pub trait LawNumbers: Steps<DoubleDouble> + Steps<Dual<f64>> {}
+/// The numbers of the tests, without the feature `laws`: none.
+#[cfg(not(feature = "laws"))]
+pub trait LawNumbers {}
+impl<M: Method> LawNumbers for M {}
+
 /// A method whose type is forgotten.
-pub trait AnyMethod:
-    Sync + Steps<f64> + Steps<DoubleDouble> + Steps<Dual<f64>> + Steps<Narrow> + Steps<Wide> + Steps<Widest>
-{
+pub trait AnyMethod: Sync + LawNumbers + Steps<f64> + Steps<Narrow> + Steps<Wide> + Steps<Widest> {
     /// See [`Method::card`].
     fn card(&self) -> &'static MethodCard;
 }

@@ -14,6 +14,7 @@ mod error;
 pub mod figure;
 mod grid;
 mod hash;
+pub mod json;
 mod picture;
 mod plan;
 mod resolve;

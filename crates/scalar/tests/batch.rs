@@ -2,7 +2,7 @@
 
 mod support;
 
-use precess_scalar::{Isa, Lanes, Scalar, with_lanes};
+use precess_scalar::{Isa, Kernel, Lanes, Scalar, with_lanes};
 use support::{Random, SPECIAL};
 
 fn same(a: f64, b: f64) -> bool {
@@ -69,12 +69,21 @@ fn everything<S: Scalar>(x: S, y: S) -> Vec<S> {
     ]
 }
 
+/// The same inside [`Scalar::enter`].
+struct Everything<S>(S, S);
+impl<S: Lanes> Kernel for Everything<S> {
+    type Output = Vec<S>;
+    fn run(self) -> Vec<S> {
+        everything(self.0, self.1)
+    }
+}
+
 fn lanes_agree<S: Lanes>() {
     let mut random = Random(S::LANES as u64);
     for _ in 0..20_000 / S::LANES {
         let x: Vec<f64> = (0..S::LANES).map(|_| argument(&mut random)).collect();
         let y: Vec<f64> = (0..S::LANES).map(|_| argument(&mut random)).collect();
-        let blocks = S::enter(|| everything(S::from_lanes(|i| x[i]), S::from_lanes(|i| y[i])));
+        let blocks = S::enter(Everything(S::from_lanes(|i| x[i]), S::from_lanes(|i| y[i])));
         for lane in 0..S::LANES {
             for (i, plain) in everything(x[lane], y[lane]).into_iter().enumerate() {
                 let value = blocks[i].lanes()[lane];

@@ -1,7 +1,9 @@
 //! The seam where a system's type is forgotten and the number's is kept.
 
 use crate::{Card, Given, Layout, Shape, State, System, Values};
-use precess_scalar::{Dependence, DoubleDouble, Dual, Kernel, Narrow, Scalar, Traced, Unit, Wide, Widest};
+use precess_scalar::{Dependence, Kernel, Narrow, Scalar, Traced, Wide, Widest};
+#[cfg(feature = "laws")]
+use precess_scalar::{DoubleDouble, Dual, Unit};
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -145,20 +147,26 @@ impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
     }
 }
 
+/// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
+/// more, which a browser would have to load.
+#[cfg(feature = "laws")]
+pub trait LawNumbers: Bind<Dual<f64>> + Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> {}
+/// The numbers of the laws, without the feature `laws`: none.
+#[cfg(not(feature = "laws"))]
+pub trait LawNumbers {}
+impl<M: System> LawNumbers for M {}
+
 /// A system whose type is forgotten: it makes fields over every kind of number.
 pub trait AnySystem:
     Send
     + Sync
+    + LawNumbers
     + Bind<f64>
     + Bind<Narrow>
     + Bind<Wide>
     + Bind<Widest>
-    + Bind<Dual<f64>>
-    + Bind<Dual<Dual<f64>>>
-    + Bind<DoubleDouble>
     + Bind<Dependence>
     + Bind<Traced>
-    + Bind<Unit>
 {
     /// See [`System::card`].
     fn card(&self) -> Card;

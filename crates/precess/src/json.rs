@@ -1,7 +1,9 @@
 //! Cards as JSON: all that a card says, under the card's own names.
 
-use precess::system::{AnySystem, Default, Given, Observable, ObservableKind, Order, Quantity, Text, Values};
-use precess::{catalogue, equations, scalar::Notation, scenarios};
+use crate::{catalogue, equations, scenarios};
+use precess_integrate::{Kind, MethodCard, Needs};
+use precess_scalar::Notation;
+use precess_system::{AnySystem, Default, Given, Observable, ObservableKind, Order, Quantity, Text, Values};
 use serde_json::{Value, json};
 
 fn text(text: &Text) -> Value {
@@ -79,7 +81,7 @@ pub fn systems() -> Value {
 
 /// Every method.
 pub fn methods() -> Value {
-    let method = |card: &precess::integrate::MethodCard| {
+    let method = |card: &MethodCard| {
         let options = card.options.iter().map(|o| {
             json!({ "name": o.name, "default": o.default, "low": o.low, "high": o.high,
                     "text": { "en": o.text.0, "fr": o.text.1 } })
@@ -89,8 +91,8 @@ pub fn methods() -> Value {
             "title": { "en": card.title.0, "fr": card.title.1 },
             "about": { "en": card.about.0, "fr": card.about.1 },
             "order": card.order,
-            "adaptive": card.kind == precess::integrate::Kind::Adaptive,
-            "separable_only": card.needs == precess::integrate::Needs::Separable,
+            "adaptive": card.kind == Kind::Adaptive,
+            "separable_only": card.needs == Needs::Separable,
             "symplectic": card.symplectic,
             "reversible": card.reversible,
             "source": card.source,

@@ -1,0 +1,15 @@
+//! Everything there is, as JSON: what the command line lists, and the scenarios with their text.
+
+use precess::{json, scenarios};
+use serde_json::{Value, json};
+
+/// Systems with their equations, methods, scenarios.
+pub fn catalogue() -> Value {
+    let scenario =
+        |(file, text): (&str, &str)| json!({ "file": file, "title": scenarios::title(text), "text": text });
+    json!({
+        "systems": json::systems(),
+        "methods": json::methods(),
+        "scenarios": scenarios::all().into_iter().map(scenario).collect::<Vec<_>>(),
+    })
+}

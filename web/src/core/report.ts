@@ -1,0 +1,36 @@
+// What the core says of a run beside its numbers (crates/wasm/src/report.rs).
+
+export interface Column {
+  name: string;
+  /** Empty for a pure number. */
+  unit: string;
+  kind: "time" | "state" | "signal" | "invariant";
+}
+
+/** How far an invariant has moved; null where a number is not finite, and `relative` where the start is zero. */
+export interface Drift {
+  name: string;
+  unit: string;
+  start: number | null;
+  largest: number | null;
+  relative: number | null;
+}
+
+export interface Report {
+  rows: number;
+  columns: Column[];
+  /** Names of the events that were met. */
+  events: string[];
+  drifts: Drift[];
+  /** The watched event that ended the run. */
+  stopped_by: string | null;
+  /** Why the run ended before its time, in a sentence; its samples up to then are right. */
+  failure: string | null;
+  version: string;
+  /** The scenario (TOML) with everything spelt out, and its SHA-256. */
+  scenario: string;
+  scenario_hash: string;
+  steps: number;
+  rejections: number;
+  evaluations: number;
+}
