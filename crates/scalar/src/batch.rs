@@ -14,15 +14,8 @@ use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 pub struct Batch<V>(V);
 
 /// One truth value per lane.
+#[derive(Clone, Copy)]
 pub struct LaneMask<V: Register>(V::Mask);
-
-impl<V: Register> Clone for LaneMask<V> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<V: Register> Copy for LaneMask<V> {}
 
 impl<V: Register> LaneMask<V> {
     /// Whether the mask holds in this lane.

@@ -1,6 +1,7 @@
 //! NEON, which every 64-bit ARM has.
 
 use super::{Register, instructions};
+#[allow(clippy::wildcard_imports, reason = "a hundred instructions by their own names")]
 use std::arch::aarch64::*;
 
 impl Register for float64x2_t {

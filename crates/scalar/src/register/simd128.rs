@@ -1,6 +1,7 @@
 //! WebAssembly's fixed-width SIMD; the relaxed one may round differently from machine to machine.
 
 use super::{Register, instructions};
+#[allow(clippy::wildcard_imports, reason = "a hundred instructions by their own names")]
 use std::arch::wasm32::*;
 
 impl Register for v128 {

@@ -4,15 +4,8 @@ use super::Register;
 use std::ops::{Add, BitAnd, BitOr, BitXor, Sub};
 
 /// The bits of the numbers of a register; sums and differences wrap.
+#[derive(Clone, Copy)]
 pub struct Word<V: Register>(pub(crate) V::Word);
-
-impl<V: Register> Clone for Word<V> {
-    #[inline(always)]
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-impl<V: Register> Copy for Word<V> {}
 
 impl<V: Register> Word<V> {
     /// The same bits in every lane.

@@ -2,6 +2,7 @@
 
 use super::{Register, instructions};
 use crate::Kernel;
+#[allow(clippy::wildcard_imports, reason = "a hundred instructions by their own names")]
 use std::arch::x86_64::*;
 
 /// Runs a kernel with instructions switched on that not every machine has.
