@@ -96,7 +96,9 @@ impl<M: System, S: Scalar> Bound<M, S> {
                 dq[i] = v;
             }
         }
-        dm.fill(S::from(0.0));
+        if modes > 0 {
+            dm.fill(S::from(0.0));
+        }
     }
 
     #[inline(always)]
