@@ -1,13 +1,14 @@
-//! Fixed steps for several trajectories at once, side by side in the lanes of a few registers.
+//! Several trajectories at once, side by side in the lanes of a few registers.
 //!
-//! All trajectories of a block share the times of their steps, and nothing else: a trajectory has the bits that it
-//! has alone. A block has several rows of registers, and the equations are evaluated for one row after another: a
-//! processor begins the next row while the divisions and roots of the last one are still under way.
+//! With fixed steps all trajectories of a block share the times of their steps, and nothing else: a trajectory has the
+//! bits that it has alone. The block then has several rows of registers, and the equations are evaluated for one row
+//! after another: a processor begins the next row while the divisions and roots of the last are still under way.
 
+use crate::side_by_side::SideBySide;
 use crate::stretch::Stretch;
-use crate::{AnyMethod, NoConvergence, Options, Samples, Step, Stepper, Steps};
+use crate::{AnyMethod, NoConvergence, Options, Pace, Samples, Step, Stepper, Steps};
 use precess_scalar::{Kernel, Lanes};
-use precess_system::Field;
+use precess_system::{Field, Shape};
 
 /// Rows of a block.
 const ROWS: usize = 8;
@@ -22,8 +23,8 @@ pub struct Block<'a, S: Lanes> {
     pub options: Options,
     /// When to record.
     pub samples: Samples,
-    /// Length of a step.
-    pub dt: f64,
+    /// The steps.
+    pub pace: &'a Pace,
 }
 
 impl<S: Lanes> Block<'_, S>
@@ -31,16 +32,22 @@ where
     dyn AnyMethod: Steps<S>,
 {
     /// The most trajectories that a block holds.
-    pub const CAPACITY: usize = ROWS * S::LANES;
+    pub fn capacity(pace: &Pace) -> usize {
+        match pace {
+            Pace::Fixed(_) => ROWS * S::LANES,
+            Pace::Adaptive(_) => S::LANES,
+        }
+    }
 
     /// Steps trajectories from their full states, one after another in `starts`, to the end. `record` is given
-    /// the number of a sample, that of a trajectory, and its full state; the states that are not finite stay so.
+    /// the number of a sample, that of a trajectory, and its full state. A trajectory that does not arrive in numbers
+    /// has a last sample that is not finite, or none.
     ///
     /// # Errors
     /// Where an implicit step does not converge in some lane; the other lanes are then unfinished, too.
     ///
     /// # Panics
-    /// Where there are more than [`CAPACITY`](Self::CAPACITY) trajectories, or none.
+    /// Where there are more than [`capacity`](Self::capacity) trajectories, or none.
     pub fn run(
         &self,
         starts: &[f64],
@@ -48,7 +55,8 @@ where
     ) -> Result<(), NoConvergence> {
         let full = self.field.shape().full();
         let count = starts.len() / full;
-        assert!((1..=Self::CAPACITY).contains(&count), "{count} trajectories, not 1 to {}", Self::CAPACITY);
+        let most = Self::capacity(self.pace);
+        assert!((1..=most).contains(&count), "{count} trajectories, not 1 to {most}");
         let shape = self.field.shape().with_rows(count.div_ceil(S::LANES));
         // Lanes that are left over repeat the last trajectory.
         let start = |row: usize, lane: usize, i: usize| {
@@ -61,9 +69,31 @@ where
                 y[shape.place(row, j)] = S::from_lanes(|lane| start(row, lane, j));
             }
         }
-        let mut next = y.clone();
         let mut stepper = self.method.stepper(&shape, &self.options);
-        let mut state = vec![0.0; full];
+        let (field, stepper, samples) = (self.field, &mut *stepper, self.samples);
+        match self.pace {
+            Pace::Fixed(dt) => self.fixed(*dt, &shape, stepper, y, count, record),
+            Pace::Adaptive(tolerance) => {
+                for (trajectory, start) in starts.chunks(full).enumerate() {
+                    record(0, trajectory, start);
+                }
+                let order = self.method.card().order;
+                S::enter(SideBySide { field, stepper, tolerance, samples, order, y, count, record })
+            }
+        }
+    }
+
+    fn fixed(
+        &self,
+        dt: f64,
+        shape: &Shape,
+        stepper: &mut dyn Stepper<S>,
+        mut y: Vec<S>,
+        count: usize,
+        record: &mut dyn FnMut(u64, usize, &[f64]),
+    ) -> Result<(), NoConvergence> {
+        let mut next = y.clone();
+        let mut state = vec![0.0; shape.full()];
         let mut tell = |sample: u64, y: &[S]| {
             for trajectory in 0..count {
                 for (j, x) in state.iter_mut().enumerate() {
@@ -75,9 +105,9 @@ where
         tell(0, &y);
         for sample in 1..=self.samples.last() {
             let (from, to) = (self.samples.time(sample - 1), self.samples.time(sample));
-            let steps = Stretch::new(from, to, if to < from { -self.dt } else { self.dt });
-            let (field, stepper) = (self.field, &mut *stepper);
-            S::enter(Advance { field, stepper, steps, from, y: &mut y, next: &mut next })?;
+            let steps = Stretch::new(from, to, if to < from { -dt } else { dt });
+            let (field, stepper, y, next) = (self.field, &mut *stepper, &mut y, &mut next);
+            S::enter(Advance { field, stepper, steps, from, y, next })?;
             tell(sample, &y);
         }
         Ok(())
@@ -102,9 +132,10 @@ impl<S: Lanes> Kernel for Advance<'_, S> {
     fn run(self) -> Self::Output {
         let Self { field, stepper, steps, from, y, next } = self;
         let mut t = from;
+        let all = S::from(0.0).le(S::from(0.0));
         for (h, end) in steps {
             stepper.step(&mut Step { field, t: S::from(t), y, h: S::from(h), out: next })?;
-            stepper.accept();
+            stepper.accept(all);
             std::mem::swap(y, next);
             t = end;
         }

@@ -19,6 +19,7 @@ pub struct Dense<S> {
 
 impl<S: Scalar> Dense<S> {
     /// The cubic through both ends with both slopes; its error falls with the fourth power of the step.
+    #[inline(always)]
     pub fn hermite(t: S, h: S, start: &[S], end: &[S], rate_start: &[S], rate_end: &[S]) -> Self {
         let n = start.len();
         let difference: Vec<S> = (0..n).map(|i| end[i] - start[i]).collect();
@@ -29,17 +30,20 @@ impl<S: Scalar> Dense<S> {
 
     /// The step ends at this time, which `t + h` gives up to rounding alone: from now on exactly.
     #[must_use]
+    #[inline(always)]
     pub fn ending(mut self, end: S) -> Self {
         self.span = end - self.t;
         self
     }
 
     /// Adds the next term.
+    #[inline(always)]
     pub fn push(&mut self, term: Vec<S>) {
         self.terms.push(term);
     }
 
     /// The state at a time inside the step; exactly the ends at the ends.
+    #[inline(always)]
     pub fn at(&self, t: S, y: &mut [S]) {
         let s = (t - self.t) / self.span;
         let rest = S::from(1.0) - s;

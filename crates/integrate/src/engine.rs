@@ -158,7 +158,7 @@ impl<'a> Engine<'a> {
                 self.record_until(&dense, end);
             }
         }
-        self.stepper.accept();
+        self.stepper.accept(true);
         std::mem::swap(&mut self.y, &mut self.next);
         self.t = end;
         (self.restarts, self.limit) = (0, f64::INFINITY);

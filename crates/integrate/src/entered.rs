@@ -34,6 +34,36 @@ impl<S: Scalar, T: Stepper<S>> Kernel for Estimate<'_, T, S> {
     }
 }
 
+struct Inside<'a, T, S> {
+    stepper: &'a mut T,
+    field: &'a dyn Field<S>,
+    t: &'a S,
+    y: &'a [S],
+    h: &'a S,
+    end: &'a [S],
+}
+
+impl<S: Scalar, T: Stepper<S>> Kernel for Inside<'_, T, S> {
+    type Output = Dense<S>;
+    #[inline(always)]
+    fn run(self) -> Dense<S> {
+        self.stepper.dense(self.field, *self.t, self.y, *self.h, self.end)
+    }
+}
+
+struct Accepted<'a, T, S: Scalar> {
+    stepper: &'a mut T,
+    accepted: S::Mask,
+}
+
+impl<S: Scalar, T: Stepper<S>> Kernel for Accepted<'_, T, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.stepper.accept(self.accepted);
+    }
+}
+
 impl<S: Scalar, T: Stepper<S>> Stepper<S> for Entered<T> {
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         S::enter(Taken { stepper: &mut self.0, step })
@@ -42,10 +72,10 @@ impl<S: Scalar, T: Stepper<S>> Stepper<S> for Entered<T> {
         S::enter(Estimate { stepper: &mut self.0, h: &h, weights })
     }
     fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
-        self.0.dense(field, t, y, h, end)
+        S::enter(Inside { stepper: &mut self.0, field, t: &t, y, h: &h, end })
     }
-    fn accept(&mut self) {
-        self.0.accept();
+    fn accept(&mut self, accepted: S::Mask) {
+        S::enter(Accepted::<T, S> { stepper: &mut self.0, accepted });
     }
     fn restart(&mut self) {
         self.0.restart();

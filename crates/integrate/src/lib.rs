@@ -16,7 +16,9 @@ mod failure;
 mod fixed;
 mod method;
 mod methods;
+mod pacer;
 mod samples;
+mod side_by_side;
 mod stretch;
 mod tableau;
 

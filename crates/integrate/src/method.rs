@@ -146,6 +146,7 @@ pub trait Stepper<S: Scalar>: Send {
     }
 
     /// The state inside the last step, from (`t`, `y`) to `end`.
+    #[inline(always)]
     fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
         let mut rates = [vec![S::from(0.0); y.len()], vec![S::from(0.0); y.len()]];
         field.rate(t, y, &mut rates[0]);
@@ -153,8 +154,9 @@ pub trait Stepper<S: Scalar>: Send {
         Dense::hermite(t, h, y, end, &rates[0], &rates[1])
     }
 
-    /// The last step is accepted: the next one starts where it ended.
-    fn accept(&mut self) {}
+    /// Where the last step is accepted, the next one starts where it ended; elsewhere it is tried again.
+    #[inline(always)]
+    fn accept(&mut self, _accepted: S::Mask) {}
 
     /// The next step starts anywhere.
     fn restart(&mut self) {}

@@ -144,6 +144,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         S::select(nonzero, h.abs() * square / below, first)
     }
 
+    #[inline(always)]
     fn dense(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
         for n in 0..self.extra_stages.len() {
             self.stage(field, t, y, h, true, n);
@@ -155,9 +156,16 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         dense
     }
 
-    fn accept(&mut self) {
+    #[inline(always)]
+    fn accept(&mut self, accepted: S::Mask) {
         let last = self.last();
-        self.k.swap(0, last);
+        if S::all(accepted) {
+            self.k.swap(0, last);
+            return;
+        }
+        for i in 0..self.state.len() {
+            self.k[0][i] = S::select(accepted, self.k[last][i], self.k[0][i]);
+        }
     }
 
     fn restart(&mut self) {

@@ -2,7 +2,7 @@
 
 mod toys;
 
-use precess_integrate::{AnyMethod, Block, Samples};
+use precess_integrate::{AnyMethod, Block, Kind, Pace, Samples, Tolerance};
 use precess_integrate::{METHODS, Needs, Options, Steps};
 use precess_scalar::{Isa, Lanes, with_lanes};
 use precess_system::Field;
@@ -24,7 +24,7 @@ where
     for _ in 0..50 {
         take(&mut *steps, field, t, &wide, h, &mut out).expect("converges");
         errors.push(steps.error(h, &vec![S::from(1e8); size]));
-        steps.accept();
+        steps.accept(S::from(0.0).le(S::from(0.0)));
         wide.copy_from_slice(&out);
         t = t + h;
     }
@@ -36,7 +36,7 @@ where
             take(&mut *steps, field, t, &y, length(lane), &mut out).expect("converges");
             let error = steps.error(length(lane), &vec![1e8; size]);
             assert_eq!(error.to_bits(), wide.lanes()[lane].to_bits(), "{id}, the estimate, lane {lane}");
-            steps.accept();
+            steps.accept(true);
             y.copy_from_slice(&out);
             t += length(lane);
         }
@@ -67,13 +67,21 @@ fn every_method_gives_the_same_bits_in_a_lane_and_alone() {
     }
 }
 
+fn pace(id: &str) -> Pace {
+    match method(id).card().kind {
+        Kind::Fixed => Pace::Fixed(0.04),
+        Kind::Adaptive => Pace::Adaptive(Tolerance { rtol: 1e-9, atol: 1e-9, skip: vec![] }),
+    }
+}
+
 /// The last states of trajectories from a block.
 fn ends<S: Lanes>(id: &str, field: &dyn Field<S>, starts: &[f64], size: usize) -> Vec<u64>
 where
     dyn AnyMethod: Steps<S>,
 {
-    let samples = Samples::new(1.0, 0.3);
-    let block = Block { field, method: method(id), options: Options::default(), samples, dt: 0.04 };
+    let (method, samples) = (method(id), Samples::new(1.0, 0.3));
+    let pace = &pace(id);
+    let block = Block { field, method, options: Options::default(), samples, pace };
     let mut ends = vec![0; starts.len()];
     let mut record = |_, trajectory: usize, y: &[f64]| {
         for (i, x) in y.iter().enumerate() {
@@ -89,11 +97,11 @@ fn check_block<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: u
 where
     dyn AnyMethod: Steps<S>,
 {
-    let count = Block::<S>::CAPACITY;
-    let starts: Vec<f64> = (0..count * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
+    let most = Block::<S>::capacity(&pace(id));
+    let starts: Vec<f64> = (0..most * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
     let alone: Vec<u64> = starts.chunks(size).flat_map(|start| ends::<f64>(id, field, start, size)).collect();
-    for count in [1, 2, S::LANES, S::LANES + 1, count - 1, count] {
-        let count = count.min(Block::<S>::CAPACITY);
+    for count in [1, 2, S::LANES, S::LANES + 1, most - 1, most] {
+        let count = count.clamp(1, most);
         let together = ends::<S>(id, field, &starts[..count * size], size);
         assert_eq!(together, alone[..count * size], "{id}, {count} in {} lanes", S::LANES);
     }

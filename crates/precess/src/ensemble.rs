@@ -1,14 +1,13 @@
 //! One plan from many starts: blocks of lanes, threads over blocks.
 //!
 //! A member of an ensemble has the bits that it has when it runs alone, whatever the registers, the number of threads
-//! and the neighbours. Methods with fixed steps run in lanes; adaptive ones, and systems with events, whose steps differ
-//! from member to member, run one member after another.
+//! and the neighbours. Systems with events, which differ from member to member, run one member after another.
 
 use crate::error::{Error, input};
 use crate::hash::numbers;
-use crate::plan::{Plan, Step};
-use crate::run::Runner;
-use precess_integrate::{AnyMethod, Block, Failure, Samples, Steps};
+use crate::plan::Plan;
+use crate::run::{Runner, pace};
+use precess_integrate::{AnyMethod, Block, Failure, Pace, Samples, Steps};
 use precess_scalar::{Isa, Lanes, with_lanes};
 use precess_system::{AnySystem, Bind};
 use std::ops::ControlFlow;
@@ -105,8 +104,8 @@ struct Work<'a, S> {
     starts: &'a [f64],
     samples: Samples,
     keep: Keep,
-    /// Steps of this length in lanes; otherwise one member after another.
-    dt: Option<f64>,
+    /// The steps.
+    pace: Pace,
     number: std::marker::PhantomData<S>,
 }
 
@@ -119,12 +118,8 @@ where
     dyn AnyMethod: Steps<S>,
 {
     fn new(plan: &'a Plan, starts: &'a [f64], keep: Keep) -> Self {
-        let dt = match plan.step {
-            Step::Fixed(dt) if plan.layout.events.is_empty() => Some(dt),
-            _ => None,
-        };
         let samples = Samples::new(plan.until, plan.every);
-        Self { plan, starts, samples, keep, dt, number: std::marker::PhantomData }
+        Self { plan, starts, samples, keep, pace: pace(plan), number: std::marker::PhantomData }
     }
 
     fn full(&self) -> usize {
@@ -140,9 +135,13 @@ where
     fn size(&self) -> usize {
         self.kept() * self.plan.layout.shape().state()
     }
+    /// Events differ from member to member: a system with events runs one after another.
+    fn goes_in_lanes(&self) -> bool {
+        self.plan.layout.events.is_empty()
+    }
     /// Members that are computed together.
     fn block(&self) -> usize {
-        if self.dt.is_some() { Block::<S>::CAPACITY } else { 1 }
+        if self.goes_in_lanes() { Block::<S>::capacity(&self.pace) } else { 1 }
     }
 
     fn done_by(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Members {
@@ -224,7 +223,7 @@ where
         let range = self.range(index);
         let mut numbers = vec![f64::NAN; range.len() * self.size()];
         let mut failures = vec![];
-        let done = self.dt.is_some_and(|dt| self.in_lanes(dt, range.clone(), &mut numbers));
+        let done = self.goes_in_lanes() && self.in_lanes(range.clone(), &mut numbers);
         let size = self.size();
         for (member, numbers) in range.zip(numbers.chunks_mut(size)) {
             // A member that did not come through in its lane runs alone, which tells when and why.
@@ -235,43 +234,48 @@ where
         (numbers, failures)
     }
 
-    /// Where the k-th sample of a member is kept among its numbers.
-    fn place<'n>(&self, sample: u64, numbers: &'n mut [f64]) -> &'n mut [f64] {
+    /// Keeps the k-th sample of a member among its numbers, where it is wanted.
+    fn keep(&self, sample: u64, y: &[f64], numbers: &mut [f64]) {
         let state = self.plan.layout.shape().state();
-        let k = if self.keep == Keep::Last { 0 } else { sample as usize };
-        &mut numbers[k * state..][..state]
+        let place = match self.keep {
+            Keep::Samples => sample as usize,
+            Keep::Last if sample == self.samples.last() => 0,
+            Keep::Last => return,
+        };
+        numbers[place * state..][..state].copy_from_slice(&y[..state]);
     }
 
     /// False where an implicit step has not converged in some lane.
-    fn in_lanes(&self, dt: f64, members: std::ops::Range<usize>, numbers: &mut [f64]) -> bool {
+    fn in_lanes(&self, members: std::ops::Range<usize>, numbers: &mut [f64]) -> bool {
         let plan = self.plan;
         let field = Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout);
-        let block =
-            Block { field: &*field, method: plan.method, options: plan.options, samples: self.samples, dt };
-        let (full, size, state) = (self.full(), self.size(), plan.layout.shape().state());
+        let block = Block {
+            field: &*field,
+            method: plan.method,
+            options: plan.options,
+            samples: self.samples,
+            pace: &self.pace,
+        };
+        let (full, size) = (self.full(), self.size());
         let starts = &self.starts[members.start * full..members.end * full];
         let mut record = |sample: u64, member: usize, y: &[f64]| {
-            self.place(sample, &mut numbers[member * size..][..size]).copy_from_slice(&y[..state]);
+            self.keep(sample, y, &mut numbers[member * size..][..size]);
         };
         block.run(starts, &mut record).is_ok()
     }
 
     fn alone(&self, member: usize, numbers: &mut [f64]) -> Option<Failure> {
         numbers.fill(f64::NAN);
-        let state = self.plan.layout.shape().state();
         let runner = Runner::new(self.plan);
         let mut sample = 0;
         let report = runner.drive(
             &self.starts[member * self.full()..][..self.full()],
             &mut |_, y| {
-                self.place(sample, numbers).copy_from_slice(&y[..state]);
+                self.keep(sample, y, numbers);
                 sample += 1;
             },
             &mut |_| ControlFlow::Continue(()),
         );
-        if report.failure.is_some() && self.keep == Keep::Last {
-            numbers.fill(f64::NAN);
-        }
         report.failure
     }
 }

@@ -117,7 +117,7 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
 
 /// Cyclic angles and modes stay out of the error norm: nothing depends on an angle that no equation holds, and a
 /// mode rests.
-fn pace(plan: &Plan) -> Pace {
+pub(crate) fn pace(plan: &Plan) -> Pace {
     match plan.step {
         Step::Fixed(dt) => Pace::Fixed(dt),
         Step::Adaptive { rtol, atol } => {

@@ -79,8 +79,11 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         }
         Ok(())
     }
-    fn accept(&mut self) {
-        std::mem::swap(&mut self.start, &mut self.end);
+    #[inline(always)]
+    fn accept(&mut self, accepted: S::Mask) {
+        for (start, end) in self.start.iter_mut().zip(&self.end) {
+            *start = S::select(accepted, *end, *start);
+        }
     }
     fn restart(&mut self) {
         self.warm = false;
