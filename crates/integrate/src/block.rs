@@ -108,7 +108,7 @@ where
             let steps = Stretch::new(from, to, if to < from { -dt } else { dt });
             let (field, stepper, y, next) = (self.field, &mut *stepper, &mut y, &mut next);
             S::enter(Advance { field, stepper, steps, from, y, next })?;
-            tell(sample, &y);
+            tell(sample, y);
         }
         Ok(())
     }
