@@ -4,81 +4,16 @@
 //! and the neighbours. Systems with events, which differ from member to member, run one member after another.
 
 use crate::error::{Error, input};
-use crate::hash::numbers;
+use crate::members::{Keep, Members};
 use crate::plan::Plan;
 use crate::run::{Runner, pace};
+use crate::workers::Workers;
 use precess_integrate::{AnyMethod, Block, Failure, Pace, Samples, Steps};
-use precess_scalar::{Isa, Lanes, with_lanes};
+use precess_scalar::{Lanes, with_lanes};
 use precess_system::{AnySystem, Bind};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
-
-/// What is kept of each member.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Keep {
-    /// The state at the end.
-    Last,
-    /// The state at every sample.
-    Samples,
-}
-
-/// How an ensemble is computed: nothing here changes a bit of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Workers {
-    /// The registers.
-    pub isa: Isa,
-    /// The number of threads, at least one.
-    pub threads: usize,
-}
-
-impl Workers {
-    /// The widest registers of this machine, and a thread for each of its cores.
-    pub fn all() -> Self {
-        Self { isa: Isa::best(), threads: std::thread::available_parallelism().map_or(1, Into::into) }
-    }
-
-    /// The registers that the environment variable `PRECESS_LANES` names, otherwise the widest; a thread a core.
-    ///
-    /// # Errors
-    /// Where this machine has no registers of that name; the sentence lists what it has.
-    pub fn chosen() -> Result<Self, Error> {
-        match std::env::var("PRECESS_LANES") {
-            Ok(name) => match Isa::named(&name) {
-                Ok(isa) => Ok(Self { isa, ..Self::all() }),
-                Err(error) => input(format!("PRECESS_LANES: {error}")),
-            },
-            Err(_) => Ok(Self::all()),
-        }
-    }
-}
-
-/// What came out of an ensemble.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Members {
-    /// Numbers of a state: coordinates, velocities.
-    pub state: usize,
-    /// The times of the states that are kept of each member.
-    pub times: Vec<f64>,
-    /// The states: member by member, sample by sample. NaN after a failure.
-    pub numbers: Vec<f64>,
-    /// The members that ended before their time, in order.
-    pub failures: Vec<(usize, Failure)>,
-}
-
-impl Members {
-    /// The states of a member, one after another.
-    pub fn member(&self, k: usize) -> &[f64] {
-        let size = self.state * self.times.len();
-        &self.numbers[k * size..][..size]
-    }
-
-    /// SHA-256 of a member's times and states: the hash of the same run alone, where every sample is kept.
-    pub fn hash(&self, k: usize) -> String {
-        let rows = self.times.iter().zip(self.member(k).chunks(self.state));
-        numbers(rows.flat_map(|(&t, state)| std::iter::once(t).chain(state.iter().copied())))
-    }
-}
 
 /// Runs a plan from many starts: full states, one after another (see [`grid`](crate::grid)). `progress` is told how
 /// many members are done and may end the work; members that are not done then count as interrupted.
