@@ -38,6 +38,8 @@ pub enum Verb {
     Run(Run),
     /// Runs several methods on the same start, side by side
     Compare(Compare),
+    /// Measures how fast this program is on this machine, ratios first
+    Bench(Bench),
 }
 
 /// What `list` lists.
@@ -118,4 +120,23 @@ pub struct Compare {
     /// Method ids, separated by commas
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', required = true)]
     pub methods: Vec<String>,
+}
+
+/// A measurement.
+#[derive(Args)]
+pub struct Bench {
+    /// limits, magnets, elementary, methods or systems; all of them where absent
+    pub name: Option<String>,
+    /// Takes minutes, for numbers to write down
+    #[arg(long)]
+    pub long: bool,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Runs COMMAND N STEPS FILE in turns with the magnets (benches/peers/README.md)
+    #[arg(long = "peer", value_name = "NAME=COMMAND", allow_hyphen_values = true)]
+    pub peers: Vec<String>,
+    /// No progress
+    #[arg(short, long)]
+    pub quiet: bool,
 }

@@ -41,6 +41,15 @@ impl From<precess::Error> for Failure {
     }
 }
 
+impl From<precess_bench::Error> for Failure {
+    fn from(error: precess_bench::Error) -> Self {
+        match error {
+            precess_bench::Error::Wrong(sentence) => Self::Wrong(sentence),
+            precess_bench::Error::Failed(sentence) => Self::Failed(sentence),
+        }
+    }
+}
+
 /// An error of the operating system without its number.
 pub fn reason(error: &io::Error) -> String {
     let text = error.to_string();

@@ -1,6 +1,7 @@
 //! Precess in the terminal: a thin face over the `precess` crate.
 
 mod args;
+mod bench;
 mod compare;
 mod draw;
 mod failure;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Verb::Show { system, json, latex } => show::show(&system, json, latex),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
+        Verb::Bench(arguments) => bench::bench(&arguments),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
