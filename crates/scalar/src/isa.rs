@@ -1,6 +1,5 @@
 //! The registers of this machine, by the names of their instruction sets.
 
-use crate::register::Register;
 use crate::{Lanes, Narrow, Wide, Widest};
 use std::fmt;
 
@@ -69,9 +68,9 @@ impl Isa {
     pub fn lanes(self) -> usize {
         match self {
             Self::Scalar => 1,
-            Self::Narrow => <Narrow as Lanes>::Register::LANES,
-            Self::Wide => <Wide as Lanes>::Register::LANES,
-            Self::Widest => <Widest as Lanes>::Register::LANES,
+            Self::Narrow => <Narrow as Lanes>::LANES,
+            Self::Wide => <Wide as Lanes>::LANES,
+            Self::Widest => <Widest as Lanes>::LANES,
         }
     }
 
