@@ -1,4 +1,4 @@
-//! What lies between two calls of the host: its text, the last answer, the results it has not freed.
+//! What lies between two calls of the host: its inputs, the last answer, the results it has not freed.
 
 use crate::kept::Kept;
 use std::cell::RefCell;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 #[derive(Default)]
 struct Desk {
-    input: Vec<u8>,
+    inputs: Vec<Vec<u8>>,
     answer: String,
     results: BTreeMap<u32, Kept>,
     /// Handles are never used twice, so that an old one is noticed.
@@ -21,22 +21,39 @@ fn with<T>(f: impl FnOnce(&mut Desk) -> T) -> T {
     DESK.with_borrow_mut(f)
 }
 
-/// Room for a text; null where there is none.
+/// Room for an input; null where there is none, and what was put here before is then forgotten, too.
 pub fn input(bytes: usize) -> *mut u8 {
     with(|desk| {
-        desk.input = Vec::new();
-        if desk.input.try_reserve_exact(bytes).is_err() {
+        let mut room = Vec::new();
+        if room.try_reserve_exact(bytes).is_err() {
+            desk.inputs.clear();
             return std::ptr::null_mut();
         }
-        desk.input.resize(bytes, 0);
-        desk.input.as_mut_ptr()
+        room.resize(bytes, 0);
+        let place = room.as_mut_ptr();
+        desk.inputs.push(room);
+        place
     })
 }
 
-/// Takes the text that the host has written.
-pub fn text() -> Result<String, String> {
-    let bytes = with(|desk| std::mem::take(&mut desk.input));
+/// Takes all inputs that the host has written, which must be so many.
+pub fn inputs<const N: usize>() -> Result<[Vec<u8>; N], String> {
+    let inputs = with(|desk| std::mem::take(&mut desk.inputs));
+    let given = inputs.len();
+    inputs.try_into().map_err(|_| format!("this takes {N} inputs, not {given}"))
+}
+
+/// An input as a text.
+pub fn text(bytes: Vec<u8>) -> Result<String, String> {
     String::from_utf8(bytes).map_err(|_| "that is no text (UTF-8)".into())
+}
+
+/// An input as numbers.
+pub fn numbers(bytes: &[u8]) -> Result<Vec<f64>, String> {
+    let (numbers, []) = bytes.as_chunks() else {
+        return Err("these are no numbers of eight bytes".into());
+    };
+    Ok(numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
 }
 
 /// Puts down an answer.
@@ -82,19 +99,22 @@ pub fn free(handle: u32) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kept::Table;
+    use precess::system::Trajectory;
 
     fn a_result() -> (Kept, String) {
-        (Kept { events: vec![1.0, 2.0], ..Kept::default() }, "report".into())
+        let trajectory = Trajectory { numbers: vec![1.0, 2.0], ..Trajectory::default() };
+        (Kept::from(trajectory), "report".into())
     }
 
     #[test]
     fn a_freed_handle_is_noticed_and_never_given_again() {
         let first = keep(Ok(a_result()));
-        let events = |handle| look(handle, |kept| kept.events.len());
-        assert_eq!(events(first), Some(2));
+        let numbers = |handle| look(handle, |kept| kept.table(Table::Numbers).len());
+        assert_eq!(numbers(first), Some(2));
         free(first);
         free(first);
-        assert_eq!(events(first), None);
+        assert_eq!(numbers(first), None);
         let second = keep(Ok(a_result()));
         assert_ne!(first, second);
         assert_ne!(second, 0);
@@ -103,10 +123,15 @@ mod tests {
     }
 
     #[test]
-    fn a_text_is_taken_once() {
+    fn inputs_are_taken_once_and_all_together() {
         assert!(!input(3).is_null());
-        assert_eq!(text().as_deref(), Ok("\0\0\0"));
-        assert_eq!(text().as_deref(), Ok(""));
+        assert!(!input(8).is_null());
+        assert_eq!(inputs().map(|[a, b]| (text(a), numbers(&b))), Ok((Ok("\0\0\0".into()), Ok(vec![0.0]))));
+        assert_eq!(inputs::<1>(), Err("this takes 1 inputs, not 0".into()));
+        assert!(!input(3).is_null());
         assert!(input(usize::MAX).is_null());
+        assert!(!input(7).is_null());
+        let [rest] = inputs().expect("what did not fit took the first one along");
+        assert!(numbers(&rest).is_err());
     }
 }

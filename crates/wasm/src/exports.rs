@@ -7,9 +7,11 @@
 // `precess_`. The imported function takes a number and gives one. No pointer is ever read on this side.
 #![allow(unsafe_code)]
 
-use crate::{catalogue, desk, memory, run};
+use crate::kept::{Kept, Table};
+use crate::{catalogue, desk, ensemble, memory, run};
 
-/// Makes room for a text of so many bytes; null where there is none. The next call takes the text.
+/// Makes room for an input of so many bytes; null where there is none, and earlier inputs are then forgotten, too. The
+/// next call takes all inputs, in order.
 #[unsafe(no_mangle)]
 pub extern "C" fn precess_input(bytes: usize) -> *mut u8 {
     desk::input(bytes)
@@ -36,41 +38,71 @@ pub extern "C" fn precess_catalogue() {
 /// Runs the scenario (TOML) in the input: a handle to its numbers, and a report as the answer.
 #[unsafe(no_mangle)]
 pub extern "C" fn precess_run() -> u32 {
-    desk::keep(desk::text().and_then(|text| run::run(&text, &mut host::progress)))
+    let done = || {
+        let [scenario] = desk::inputs()?;
+        run::run(&desk::text(scenario)?, &mut host::progress)
+    };
+    desk::keep(done())
 }
 
-/// Where the numbers of a result lie: row by row, one number a column.
+/// Runs a scenario from many starts: a handle, and a report as the answer. The inputs are the scenario, names of
+/// initial values (one a line), and numbers: the values of each start in the order of the names; or, where `grid` is
+/// not zero, six for each name: first value, last value, points; of these points the first, every which, how many.
+/// Every sample is kept where `samples` is not zero, otherwise the end. `plain` not zero computes one number at a time.
 #[unsafe(no_mangle)]
-pub extern "C" fn precess_numbers(handle: u32) -> *const f64 {
-    desk::look(handle, |kept| kept.trajectory.numbers.as_ptr()).unwrap_or(std::ptr::null())
+pub extern "C" fn precess_ensemble(grid: u32, samples: u32, plain: u32) -> u32 {
+    let done = || {
+        let [scenario, names, numbers] = desk::inputs()?;
+        let request = ensemble::Request {
+            scenario: &desk::text(scenario)?,
+            names: &desk::text(names)?,
+            numbers: &desk::numbers(&numbers)?,
+            grid: grid != 0,
+            samples: samples != 0,
+            plain: plain != 0,
+        };
+        ensemble::ensemble(&request, &mut host::progress)
+    };
+    desk::keep(done())
 }
 
-/// How many numbers there are.
+/// Where a table of a result lies; null where it has none.
 #[unsafe(no_mangle)]
-pub extern "C" fn precess_numbers_length(handle: u32) -> usize {
-    desk::look(handle, |kept| kept.trajectory.numbers.len()).unwrap_or(0)
+pub extern "C" fn precess_table(handle: u32, table: u32) -> *const f64 {
+    look(handle, table, <[f64]>::as_ptr).unwrap_or(std::ptr::null())
 }
 
-/// Where the events of a result lie: row by row, which of the report's events, the time, the state.
+/// How many numbers are in it.
 #[unsafe(no_mangle)]
-pub extern "C" fn precess_events(handle: u32) -> *const f64 {
-    desk::look(handle, |kept| kept.events.as_ptr()).unwrap_or(std::ptr::null())
+pub extern "C" fn precess_table_length(handle: u32, table: u32) -> usize {
+    look(handle, table, <[f64]>::len).unwrap_or(0)
 }
 
-/// How many numbers there are.
-#[unsafe(no_mangle)]
-pub extern "C" fn precess_events_length(handle: u32) -> usize {
-    desk::look(handle, |kept| kept.events.len()).unwrap_or(0)
+fn look<T>(handle: u32, table: u32, f: impl FnOnce(&[f64]) -> T) -> Option<T> {
+    let table = Table::numbered(table)?;
+    desk::look(handle, |kept| f(kept.table(table)))
 }
 
-/// Answers with the SHA-256 of a result, the one that the command line prints.
+/// Answers with the SHA-256 of a member of a result, the one that the command line prints for the same run; a run is
+/// its member 0.
 #[unsafe(no_mangle)]
-pub extern "C" fn precess_hash(handle: u32) -> u32 {
-    match desk::look(handle, |kept| precess::hash(&kept.trajectory)) {
-        Some(hash) => {
-            desk::say(hash);
+pub extern "C" fn precess_hash(handle: u32, member: usize) -> u32 {
+    tell(handle, |kept| kept.hash(member), "there is no such member")
+}
+
+/// Answers why a member of an ensemble ended before its time; refuses where it did not.
+#[unsafe(no_mangle)]
+pub extern "C" fn precess_failure(handle: u32, member: usize) -> u32 {
+    tell(handle, |kept| kept.failure(member), "this member has not failed")
+}
+
+fn tell(handle: u32, what: impl FnOnce(&Kept) -> Option<String>, nothing: &str) -> u32 {
+    match desk::look(handle, what) {
+        Some(Some(answer)) => {
+            desk::say(answer);
             1
         }
+        Some(None) => desk::refuse(nothing.into()),
         None => desk::refuse("there is no such result: it has been freed".into()),
     }
 }
@@ -93,12 +125,12 @@ mod host {
     #[link(wasm_import_module = "precess")]
     unsafe extern "C" {
         #[link_name = "progress"]
-        safe fn host_progress(t: f64) -> u32;
+        safe fn host_progress(done: f64) -> u32;
     }
 
-    /// Tells the time that a run has reached; whether it shall go on.
-    pub fn progress(t: f64) -> bool {
-        host_progress(t) == 0
+    /// Tells how far the work has come (the time of a run, the members of an ensemble); whether it shall go on.
+    pub fn progress(done: f64) -> bool {
+        host_progress(done) == 0
     }
 }
 

@@ -5,11 +5,12 @@
 //! says what was wrong. Results are tables of numbers; they stay here under a handle, to be looked at in place,
 //! until they are freed. `docs/wasm.md` describes it from outside, `web/src/core/` is the facade.
 //!
-//! Another kind of result (an ensemble, a section) is another function that makes a `kept::Kept`: reading it,
-//! hashing it and freeing it are there already.
+//! Another kind of result is another function that makes a `kept::Kept`: reading it, hashing it and freeing it are
+//! there already.
 
 mod catalogue;
 mod desk;
+mod ensemble;
 pub mod exports;
 mod kept;
 mod memory;

@@ -15,6 +15,11 @@ pub fn used() -> usize {
     USED.load(Relaxed)
 }
 
+/// Whether there is room for so many numbers; `sentence` where there is not.
+pub fn fits(numbers: f64, sentence: impl FnOnce() -> String) -> Result<(), String> {
+    if numbers * 8.0 < MOST.saturating_sub(used()) as f64 { Ok(()) } else { Err(sentence()) }
+}
+
 struct Counting;
 
 // An allocator is unsafe to write: this one hands everything to the system's and counts.

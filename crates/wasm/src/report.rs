@@ -1,22 +1,22 @@
-//! What is said of a run beside its numbers, as JSON.
+//! What is said of a result beside its numbers, as JSON.
 
-use crate::kept::Kept;
-use precess::system::{Column, ColumnKind};
-use precess::{Drift, Provenance};
+use precess::system::{Column, ColumnKind, Trajectory};
+use precess::{Drift, Members, Plan, Provenance, scenario_toml};
 use serde_json::{Value, json};
 
 /// The report of a run. A number that is not finite is null, as JSON has it.
-pub fn report(
-    kept: &Kept,
+pub fn run(
+    trajectory: &Trajectory,
+    events: &[String],
     provenance: &Provenance,
     drifts: &[Drift],
     stopped_by: Option<&str>,
     failure: Option<&str>,
 ) -> Value {
     json!({
-        "rows": kept.trajectory.len(),
-        "columns": kept.trajectory.columns.iter().map(column).collect::<Vec<_>>(),
-        "events": kept.names,
+        "rows": trajectory.len(),
+        "columns": trajectory.columns.iter().map(column).collect::<Vec<_>>(),
+        "events": events,
         "drifts": drifts.iter().map(drift).collect::<Vec<_>>(),
         "stopped_by": stopped_by,
         "failure": failure,
@@ -26,6 +26,18 @@ pub fn report(
         "steps": provenance.steps,
         "rejections": provenance.rejections,
         "evaluations": provenance.evaluations,
+    })
+}
+
+/// The report of an ensemble; the scenario is the one that its members have in common.
+pub fn ensemble(plan: &Plan, members: &Members) -> Value {
+    let state = plan.layout.state();
+    json!({
+        "members": members.numbers.len() / (members.state * members.times.len()),
+        "columns": state.iter().map(|q| json!({ "name": q.name, "unit": q.unit })).collect::<Vec<_>>(),
+        "failed": members.failures.len(),
+        "version": env!("CARGO_PKG_VERSION"),
+        "scenario": scenario_toml(plan),
     })
 }
 

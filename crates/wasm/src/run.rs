@@ -12,10 +12,7 @@ const LONGEST: usize = 1 << 20;
 
 /// Runs a scenario. `watch` is told the time now and then and says whether to go on.
 pub fn run(text: &str, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, String), String> {
-    if text.len() > LONGEST {
-        return Err("the text is longer than 1 MiB: that is no scenario".into());
-    }
-    let plan = Scenario::parse(text).and_then(|s| Plan::new(&s)).map_err(|e| e.to_string())?;
+    let plan = plan(text)?;
     fits(&plan)?;
     let mut full = false;
     let outcome = precess::run(&plan, &mut |t| {
@@ -30,30 +27,32 @@ pub fn run(text: &str, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, Stri
     });
     let drifts = precess::drifts(&outcome.trajectory);
     let kept = Kept::from(outcome.trajectory);
-    let report = report::report(
-        &kept,
-        &outcome.provenance,
-        &drifts,
-        outcome.stopped_by.as_deref(),
-        failure.as_deref(),
-    );
+    let Kept::Run { trajectory, names, .. } = &kept else { unreachable!("a trajectory is a run") };
+    let stopped_by = outcome.stopped_by.as_deref();
+    let report = report::run(trajectory, names, &outcome.provenance, &drifts, stopped_by, failure.as_deref());
     Ok((kept, report.to_string()))
+}
+
+/// Understands a scenario.
+pub fn plan(text: &str) -> Result<Plan, String> {
+    if text.len() > LONGEST {
+        return Err("the text is longer than 1 MiB: that is no scenario".into());
+    }
+    Scenario::parse(text).and_then(|s| Plan::new(&s)).map_err(|e| e.to_string())
 }
 
 /// Whether the samples find room. A table that grows may take twice what it holds.
 fn fits(plan: &Plan) -> Result<(), String> {
     let rows = plan.until.abs() / plan.every + 2.0;
-    let bytes = rows * plan.columns().len() as f64 * 8.0 * 2.0;
-    let room = memory::MOST.saturating_sub(memory::used()) as f64;
-    if bytes < room {
-        return Ok(());
-    }
-    Err(format!("{rows:.1e} samples do not fit into the memory of this page: make 'every' longer"))
+    memory::fits(rows * plan.columns().len() as f64 * 2.0, || {
+        format!("{rows:.1e} samples do not fit into the memory of this page: make 'every' longer")
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kept::Table;
     use serde_json::Value;
 
     const PENDULUM: &str =
@@ -69,7 +68,9 @@ mod tests {
         let (kept, report) = done(PENDULUM);
         let plan = Scenario::parse(PENDULUM).and_then(|s| Plan::new(&s)).expect("a scenario");
         let expected = precess::run(&plan, &mut |_| ControlFlow::Continue(()));
-        assert_eq!(kept.trajectory, expected.trajectory);
+        assert_eq!(kept.table(Table::Numbers), expected.trajectory.numbers);
+        assert_eq!(kept.hash(0), Some(precess::hash(&expected.trajectory)));
+        assert_eq!(kept.hash(1), None);
         assert_eq!(report["rows"], 11);
         assert_eq!(report["failure"], Value::Null);
         assert_eq!(report["scenario"], expected.provenance.scenario.as_str());
@@ -80,7 +81,7 @@ mod tests {
         let watched = format!("{PENDULUM}[[event]]\nname = \"down\"\nwhen = \"theta = 0\"\n");
         let (kept, report) = done(&watched);
         assert_eq!(report["events"], serde_json::json!(["down"]));
-        let rows: Vec<&[f64]> = kept.events.chunks(4).collect();
+        let rows: Vec<&[f64]> = kept.table(Table::Events).chunks(4).collect();
         assert!(rows.len() > 5);
         assert!(rows.iter().all(|row| row[0] == 0.0 && row[2].abs() < 1e-12), "{rows:?}");
         assert!(rows.is_sorted_by(|a, b| a[1] < b[1]));
@@ -88,9 +89,10 @@ mod tests {
 
     #[test]
     fn whoever_watches_can_end_a_run_and_keeps_its_samples() {
-        let (kept, report) = run(PENDULUM, &mut |t| t < 5.0).expect("a run that is ended is a run");
-        assert!((5..11).contains(&kept.trajectory.len()));
+        let (_, report) = run(PENDULUM, &mut |t| t < 5.0).expect("a run that is ended is a run");
         assert!(report.contains("interrupted at t = "), "{report}");
+        let report: Value = serde_json::from_str(&report).expect("a report is JSON");
+        assert!((5..11).contains(&report["rows"].as_u64().expect("a count")));
     }
 
     #[test]

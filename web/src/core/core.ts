@@ -1,11 +1,31 @@
 import type { Catalogue } from "./catalogue";
+import { Ensemble } from "./ensemble";
 import { instantiate } from "./exports";
 import { Instance } from "./instance";
-import type { Report } from "./report";
+import type { EnsembleReport, Report } from "./report";
 import { Run } from "./run";
+import type { Axis } from "./tiles";
 
-/** Is told the time that a run has reached, now and then; `false` ends the run, which keeps its samples. */
-export type Progress = (t: number) => boolean | undefined;
+/**
+ * Is told now and then how far the work has come: the time of a run, the members of an ensemble that are done; `false`
+ * ends the work, which keeps what it has.
+ */
+export type Progress = (done: number) => boolean | undefined;
+
+/** Starts one by one: names of initial values, and their values start by start. */
+export interface Starts {
+  names: string[];
+  values: ArrayLike<number>;
+}
+
+export interface EnsembleOptions {
+  /** What is kept of each member: the state at the end, or at every sample. */
+  keep?: "last" | "samples";
+  /** `false` computes one number at a time, not a register of them: slower, the same bits. */
+  lanes?: boolean;
+  /** Told the number of members that are done; those that are not when it says `false` have failed. */
+  progress?: Progress;
+}
 
 /** The core of Precess in this thread. A call blocks until it is done: a page keeps it in a worker. */
 export class Core {
@@ -21,7 +41,7 @@ export class Core {
   /** From the bytes of the file, or from a module that has been compiled (and may be shared by workers). */
   static async load(source: BufferSource | WebAssembly.Module): Promise<Core> {
     const watch = new Watch();
-    const exports = await instantiate(source, (t) => watch.look(t));
+    const exports = await instantiate(source, (done) => watch.look(done));
     return new Core(new Instance(exports), watch);
   }
 
@@ -45,6 +65,29 @@ export class Core {
     });
   }
 
+  /**
+   * Runs a scenario (TOML) from many starts: a list of them, or a grid, of which the first axis runs fastest. A grid is
+   * better asked for in `tiles`: the work is done before the call returns.
+   */
+  ensemble(
+    scenario: string,
+    starts: Starts | readonly Axis[],
+    { keep = "last", lanes = true, progress }: EnsembleOptions = {},
+  ): Ensemble {
+    const grid = !("names" in starts);
+    const names = grid ? starts.map(({ name }) => name) : starts.names;
+    // A line break within a name would make two of it.
+    const lines = names.map((name) => name.replace(/[\r\n]/g, " "));
+    const numbers = Float64Array.from(grid ? starts.flatMap(numbersOf) : starts.values);
+    this.#instance.write(scenario, lines.join("\n"), numbers);
+    return this.#watch.during(progress, () => {
+      const { value, answer } = this.#instance.ask((exports) =>
+        exports.precess_ensemble(Number(grid), Number(keep === "samples"), Number(!lanes)),
+      );
+      return new Ensemble(this.#instance, value, JSON.parse(answer) as EnsembleReport);
+    });
+  }
+
   /** Bytes in use in the core, and all that its memory has grown to (it never shrinks). */
   memory(): { used: number; size: number } {
     const { memory, precess_used } = this.#instance.exports;
@@ -52,30 +95,35 @@ export class Core {
   }
 }
 
-/** Whoever watches the run in progress. What he throws must not fly through the core: it waits until the run is over. */
+/** An axis as the core reads it. */
+function numbersOf({ low, high, points, part = { first: 0, stride: 1, points } }: Axis): number[] {
+  return [low, high, points, part.first, part.stride, part.points];
+}
+
+/** Whoever watches the work in progress. What he throws must not fly through the core: it waits until that is over. */
 class Watch {
   #progress: Progress | undefined;
   #thrown: { error: unknown } | undefined;
 
-  look(t: number): number {
+  look(done: number): number {
     try {
-      return this.#progress?.(t) === false ? 1 : 0;
+      return this.#progress?.(done) === false ? 1 : 0;
     } catch (error) {
       this.#thrown = { error };
       return 1;
     }
   }
 
-  during(progress: Progress | undefined, call: () => Run): Run {
+  during<T extends { free(): void }>(progress: Progress | undefined, call: () => T): T {
     const outer = this.#progress;
     this.#progress = progress;
     try {
-      const run = call();
+      const result = call();
       if (this.#thrown) {
-        run.free();
+        result.free();
         throw this.#thrown.error;
       }
-      return run;
+      return result;
     } finally {
       this.#progress = outer;
       this.#thrown = undefined;

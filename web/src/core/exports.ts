@@ -1,7 +1,10 @@
 // What the core gives and takes, as in crates/wasm/src/exports.rs. Nothing outside this folder sees it.
 
-/** Called with the time that a run has reached, now and then; not zero ends the run. */
-export type HostProgress = (t: number) => number;
+/** Told now and then how far the work has come (a run's time, an ensemble's members); not zero ends it. */
+export type HostProgress = (done: number) => number;
+
+/** The tables of a result, as numbered in crates/wasm/src/kept.rs. */
+export const TABLES = { numbers: 0, events: 1, times: 2, failed: 3 } as const;
 
 export interface CoreExports {
   readonly memory: WebAssembly.Memory;
@@ -10,11 +13,11 @@ export interface CoreExports {
   readonly precess_answer_bytes: () => number;
   readonly precess_catalogue: () => void;
   readonly precess_run: () => number;
-  readonly precess_numbers: (handle: number) => number;
-  readonly precess_numbers_length: (handle: number) => number;
-  readonly precess_events: (handle: number) => number;
-  readonly precess_events_length: (handle: number) => number;
-  readonly precess_hash: (handle: number) => number;
+  readonly precess_ensemble: (grid: number, samples: number, plain: number) => number;
+  readonly precess_table: (handle: number, table: number) => number;
+  readonly precess_table_length: (handle: number, table: number) => number;
+  readonly precess_hash: (handle: number, member: number) => number;
+  readonly precess_failure: (handle: number, member: number) => number;
   readonly precess_free: (handle: number) => void;
   readonly precess_used: () => number;
 }
@@ -25,11 +28,11 @@ const NAMES = [
   "precess_answer_bytes",
   "precess_catalogue",
   "precess_run",
-  "precess_numbers",
-  "precess_numbers_length",
-  "precess_events",
-  "precess_events_length",
+  "precess_ensemble",
+  "precess_table",
+  "precess_table_length",
   "precess_hash",
+  "precess_failure",
   "precess_free",
   "precess_used",
 ] as const satisfies Exclude<keyof CoreExports, "memory">[];

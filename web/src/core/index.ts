@@ -1,5 +1,7 @@
 export type * from "./catalogue";
-export { Core, type Progress } from "./core";
+export { Core, type EnsembleOptions, type Progress, type Starts } from "./core";
+export type { Ensemble } from "./ensemble";
 export { CoreBroken, CoreError } from "./error";
 export type * from "./report";
 export type { Run, RunEvent } from "./run";
+export { type Axis, type Part, place, tiles } from "./tiles";

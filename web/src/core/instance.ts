@@ -1,7 +1,7 @@
 import { CoreBroken, CoreError } from "./error";
 import type { CoreExports } from "./exports";
 
-/** One instance of the module: texts in, answers out. */
+/** One instance of the module: texts and numbers in, answers out. */
 export class Instance {
   readonly #exports: CoreExports;
   #broken: CoreBroken | undefined;
@@ -35,13 +35,18 @@ export class Instance {
     }
   }
 
-  /** Puts a text where the core reads it. */
-  write(text: string): void {
-    const bytes = new TextEncoder().encode(text);
-    const place = this.guard((exports) => exports.precess_input(bytes.length));
-    if (place === 0) throw new CoreError("the text does not fit into the memory");
-    // The buffer is asked for after the call: it may have moved.
-    new Uint8Array(this.exports.memory.buffer, place >>> 0, bytes.length).set(bytes);
+  /** Puts texts and numbers where the next call takes them, in order. */
+  write(...inputs: (string | Float64Array)[]): void {
+    for (const input of inputs) {
+      const bytes =
+        typeof input === "string"
+          ? new TextEncoder().encode(input)
+          : new Uint8Array(input.buffer, input.byteOffset, input.byteLength);
+      const place = this.guard((exports) => exports.precess_input(bytes.length));
+      if (place === 0) throw new CoreError("this does not fit into the memory");
+      // The buffer is asked for after the call: it may have moved.
+      new Uint8Array(this.exports.memory.buffer, place >>> 0, bytes.length).set(bytes);
+    }
   }
 
   /** The last answer. */

@@ -1,4 +1,4 @@
-// What the core says of a run beside its numbers (crates/wasm/src/report.rs).
+// What the core says of a result beside its numbers (crates/wasm/src/report.rs).
 
 export interface Column {
   name: string;
@@ -33,4 +33,15 @@ export interface Report {
   steps: number;
   rejections: number;
   evaluations: number;
+}
+
+export interface EnsembleReport {
+  members: number;
+  /** The numbers of a state: coordinates, velocities. */
+  columns: Pick<Column, "name" | "unit">[];
+  /** How many members ended before their time. */
+  failed: number;
+  version: string;
+  /** The scenario (TOML) that the members have in common, with everything spelt out. */
+  scenario: string;
 }
