@@ -1,17 +1,18 @@
 # The commands of Precess. `make` alone lists them.
 
 CARGO ?= cargo
-PRECESS = target/release/precess
+PRECESS = $(CARGO_TARGET_DIR)/release/precess
 OUT = out
 
 # Cargo's own variable, where it is set.
 CARGO_TARGET_DIR ?= target
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run test lint docs golden wasm wasm-target test-web test-web-now clean cargo
+.PHONY: help run bench test lint docs golden wasm wasm-target test-web test-web-now clean cargo
 
 help:
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
+	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
 	@echo "make test   every test, the lints, the documentation"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
@@ -30,6 +31,25 @@ run: $(PRECESS)
 	  $(PRECESS) run scenarios/$$name.toml --quiet --plot $(OUT)/$$name.png || exit 1; \
 	done
 	@echo "Pictures and tables are in $(OUT)/"
+
+# The peers that this machine has; the others are skipped and say why.
+BENCH =
+BENCH_PYTHON = $(firstword $(wildcard benches/peers/venv/bin/python) python3)
+PEERS = target/peers/exercise_7_5
+HEYOKA = $(BENCH_PYTHON) -B benches/peers/heyoka_magnets.py --form
+
+bench: $(PRECESS)
+	@set --; \
+	if command -v gcc >/dev/null 2>&1 && $(MAKE) --no-print-directory --silent -C benches/peers; then \
+	  set -- "$$@" --peer c=$(PEERS)_native --peer c-strict=$(PEERS)_strict --peer c-fast=$(PEERS)_fast; \
+	else echo "precess: the C programs are skipped, since they need gcc" >&2; fi; \
+	for module in numba heyoka; do \
+	  if ! $(BENCH_PYTHON) -B -c "import $$module" 2>/dev/null; then \
+	    echo "precess: $$module is skipped, since $(BENCH_PYTHON) does not have it (see benches/peers/README.md)" >&2; \
+	  elif test $$module = numba; then set -- "$$@" --peer "numba=$(BENCH_PYTHON) -B benches/peers/numba_magnets.py"; \
+	  else for form in plain shared warm; do set -- "$$@" --peer "heyoka-$$form=$(HEYOKA) $$form"; done; fi; \
+	done; \
+	$(PRECESS) bench $(BENCH) "$$@"
 
 test: cargo lint
 	$(CARGO) test --workspace

@@ -116,6 +116,7 @@ impl Table {
 
 fn text(kind: Kind, x: f64) -> String {
     match kind {
+        Kind::Ratio if x < 1.0 => format!("{x:.2} x"),
         Kind::Ratio => format!("{x:.1} x"),
         Kind::Share => format!("{:.0} %", x * 100.0),
         Kind::Distance => format!("{x:.1e}"),
