@@ -8,7 +8,7 @@ OUT = out
 CARGO_TARGET_DIR ?= target
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run bench test lint docs golden wasm wasm-target test-web test-web-now clean cargo
+.PHONY: help run bench test lint docs golden wasm wasm-target test-web test-web-now test-arm clean cargo
 
 help:
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
@@ -54,6 +54,7 @@ bench: $(PRECESS)
 test: cargo lint
 	$(CARGO) test --workspace
 	@$(MAKE) --no-print-directory test-web
+	@$(MAKE) --no-print-directory test-arm
 
 lint: cargo
 	$(CARGO) fmt --all --check
@@ -95,6 +96,25 @@ test-web-now: wasm web/node_modules/.package-lock.json
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --no-audit --no-fund && touch node_modules/.package-lock.json
+
+# The same bits on 64-bit ARM, with and without NEON: built by a cross compiler, run by an emulator, with a tenth of the
+# golden steps.
+ARM = aarch64-unknown-linux-gnu
+ARM_ENV = CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_LINKER=aarch64-linux-gnu-gcc \
+	CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="qemu-aarch64 -L /usr/aarch64-linux-gnu" PRECESS_GOLDEN=short
+
+test-arm: cargo
+	@if ! command -v aarch64-linux-gnu-gcc >/dev/null || ! command -v qemu-aarch64 >/dev/null; \
+	then lacks="a cross compiler and an emulator (Debian: gcc-aarch64-linux-gnu, libc6-dev-arm64-cross, qemu-user)"; \
+	elif ! { test -d "$$(rustc --print target-libdir --target $(ARM))" || rustup target add $(ARM); }; \
+	then lacks="Rust's target $(ARM) (rustup target add $(ARM))"; \
+	fi; \
+	if [ -n "$$lacks" ]; then \
+	  echo "precess: the tests on ARM are skipped, since they need $$lacks" >&2; \
+	  test "$$PRECESS_REQUIRE_ALL" != 1; exit; \
+	fi; \
+	$(ARM_ENV) $(CARGO) test --quiet --target $(ARM) -p precess-scalar --test golden_bits --test batch && \
+	$(ARM_ENV) $(CARGO) test --quiet --target $(ARM) -p precess --test golden
 
 clean:
 	$(CARGO) clean

@@ -27,7 +27,10 @@ const { prepare } = await import(`data:text/javascript;base64,${Buffer.from(scri
 
 /** @type {Map<string, () => Timing | Promise<Timing>>} */
 const places = new Map();
-for (const [registers, lanes] of /** @type {const} */ ([["sse2", true], ["scalar", false]])) {
+for (const [registers, lanes] of /** @type {const} */ ([
+  ["sse2", true],
+  ["scalar", false],
+])) {
   const kind = lanes ? "lanes" : "plain";
   places.set(`native ${kind}`, () =>
     JSON.parse(execFileSync(native, [scenario, points, registers], { maxBuffer: 1 << 28, encoding: "utf8" })),

@@ -1,7 +1,9 @@
 //! The golden hashes: every system under every method that fits it, to the last bit.
 //!
 //! `golden/hashes.txt` holds one line a run: system, method, step (or tolerance), end, time between samples,
-//! SHA-256. Every face must reproduce it. `PRECESS_BLESS=1` writes it anew, after a change that is meant.
+//! SHA-256. Every face must reproduce it. `golden/short.txt` holds the same with a tenth of the steps, for machines
+//! that are emulated; `PRECESS_GOLDEN=short` checks nothing but it. `PRECESS_BLESS=1` writes both anew, after a change
+//! that is meant.
 
 use precess::integrate::{Kind, Needs};
 use precess::scalar::Isa;
@@ -10,19 +12,35 @@ use precess::{Keep, Plan, Scenario, Step, Workers, catalogue, ensemble, hash, ru
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Steps of a fixed-step run; an adaptive one covers the same time.
-const STEPS: f64 = 1e4;
-
-fn file() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../golden/hashes.txt")
+/// A file of hashes, and the steps of its fixed-step runs; an adaptive one covers the same time.
+#[derive(Clone, Copy)]
+struct Golden {
+    file: &'static str,
+    steps: f64,
 }
 
-fn plans() -> Vec<Plan> {
+/// The files to be checked.
+fn files() -> Vec<Golden> {
+    let all = [Golden { file: "hashes.txt", steps: 1e4 }, Golden { file: "short.txt", steps: 1e3 }];
+    let short = std::env::var("PRECESS_GOLDEN").is_ok_and(|which| which == "short");
+    all.into_iter().filter(|golden| !short || golden.file == "short.txt").collect()
+}
+
+impl Golden {
+    fn path(self) -> PathBuf {
+        PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../golden").join(self.file)
+    }
+    fn read(self) -> String {
+        std::fs::read_to_string(self.path()).expect("the file is there")
+    }
+}
+
+fn plans(steps: f64) -> Vec<Plan> {
     let mut plans = vec![];
     for system in catalogue::systems() {
         let card = system.card();
         for method in catalogue::methods().iter().map(|m| m.card()) {
-            let until = STEPS * card.defaults.dt;
+            let until = steps * card.defaults.dt;
             let mut scenario = Scenario::of(card.id);
             scenario.method = Some(method.id.into());
             scenario.run =
@@ -37,7 +55,7 @@ fn plans() -> Vec<Plan> {
     plans
 }
 
-fn line(plan: &Plan) -> String {
+fn line(plan: &Plan, least: f64) -> String {
     let id = plan.card.id;
     let method = plan.method.card();
     let outcome = run(plan, &mut |_| std::ops::ControlFlow::Continue(()));
@@ -48,7 +66,7 @@ fn line(plan: &Plan) -> String {
     if method.kind == Kind::Fixed {
         // Each of the system's own events cuts a step, and the next one begins there.
         let (steps, events) = (outcome.provenance.steps as f64, outcome.trajectory.events.len() as f64);
-        assert!((STEPS..=STEPS + events + 10.0).contains(&steps), "{id} by {}: {steps} steps", method.id);
+        assert!((least..=least + events + 10.0).contains(&steps), "{id} by {}: {steps} steps", method.id);
     }
     let step = match plan.step {
         Step::Fixed(dt) => shortest(dt),
@@ -87,27 +105,31 @@ fn in_lanes(plan: &Plan, golden: &str) -> Result<(), String> {
 
 #[test]
 fn every_system_under_every_method_gives_the_golden_bits_in_lanes() {
-    let golden = std::fs::read_to_string(file()).expect("golden/hashes.txt is there");
-    for plan in &plans() {
-        let start = format!("{} {} ", plan.card.id, plan.method.card().id);
-        let line = golden.lines().find(|line| line.starts_with(&start)).expect("a golden line");
-        let hash = line.split(' ').next_back().expect("a hash");
-        in_lanes(plan, hash).unwrap();
+    for golden in files() {
+        let lines = golden.read();
+        for plan in &plans(golden.steps) {
+            let start = format!("{} {} ", plan.card.id, plan.method.card().id);
+            let line = lines.lines().find(|line| line.starts_with(&start)).expect("a golden line");
+            let hash = line.split(' ').next_back().expect("a hash");
+            in_lanes(plan, hash).unwrap();
+        }
     }
 }
 
 #[test]
 fn every_system_under_every_method_gives_the_golden_bits() {
-    let mut now = String::from("# system method step-or-tolerance until every sha256\n");
-    for plan in plans() {
-        let _ = writeln!(now, "{}", line(&plan));
+    for golden in files() {
+        let mut now = String::from("# system method step-or-tolerance until every sha256\n");
+        for plan in plans(golden.steps) {
+            let _ = writeln!(now, "{}", line(&plan, golden.steps));
+        }
+        if std::env::var_os("PRECESS_BLESS").is_some() {
+            std::fs::write(golden.path(), now).expect("the file can be written");
+            continue;
+        }
+        let file = golden.read();
+        let differ: Vec<_> = now.lines().filter(|line| !file.lines().any(|g| g == *line)).collect();
+        assert!(differ.is_empty(), "not the golden bits:\n{}", differ.join("\n"));
+        assert_eq!(now.lines().count(), file.lines().count(), "{} has lines that nothing gives", golden.file);
     }
-    if std::env::var_os("PRECESS_BLESS").is_some() {
-        std::fs::write(file(), now).expect("golden/hashes.txt can be written");
-        return;
-    }
-    let golden = std::fs::read_to_string(file()).expect("golden/hashes.txt is there");
-    let differ: Vec<_> = now.lines().filter(|line| !golden.lines().any(|g| g == *line)).collect();
-    assert!(differ.is_empty(), "not the golden bits:\n{}", differ.join("\n"));
-    assert_eq!(now.lines().count(), golden.lines().count(), "golden/hashes.txt has lines that nothing gives");
 }
