@@ -61,6 +61,7 @@ const SYSTEM: Shape = {
   observables: [any({ ...quantity, kind: "string" }, { ...quantity, kind: "string", when_zero: ["string"] })],
   starts: [quantity],
   events: [{ name: "string", text }],
+  views: [{ pairs: [["string"]], equal_scales: "boolean" }],
   equations: { definitions: [["string"]], equations: [["string"]] },
   defaults: { method: "string", until: "number", dt: "number" },
 };

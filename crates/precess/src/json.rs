@@ -3,7 +3,9 @@
 use crate::{catalogue, equations, scenarios};
 use precess_integrate::{Kind, MethodCard, Needs};
 use precess_scalar::Notation;
-use precess_system::{AnySystem, Default, Given, Observable, ObservableKind, Order, Quantity, Text, Values};
+use precess_system::{
+    AnySystem, Default, Given, Observable, ObservableKind, Order, Quantity, Text, Values, View,
+};
 use serde_json::{Value, json};
 
 fn text(text: &Text) -> Value {
@@ -29,6 +31,17 @@ fn observable(o: &Observable) -> Value {
         ObservableKind::Invariant { when_zero } => {
             with(&o.quantity, &json!({ "kind": "invariant", "when_zero": when_zero }))
         }
+    }
+}
+
+/// A view as pairs (horizontal, vertical), whatever its kind.
+fn view(view: &View) -> Value {
+    match view {
+        View::Time(names) => {
+            let pairs: Vec<_> = names.iter().map(|name| ("t", name)).collect();
+            json!({ "pairs": pairs, "equal_scales": false })
+        }
+        View::Plane { pairs, equal_scales } => json!({ "pairs": pairs, "equal_scales": equal_scales }),
     }
 }
 
@@ -69,6 +82,7 @@ pub fn system(system: &dyn AnySystem) -> Value {
         "observables": layout.observables.iter().map(observable).collect::<Vec<_>>(),
         "starts": card.starts.iter().map(quantity).collect::<Vec<_>>(),
         "events": layout.events.iter().map(|e| json!({ "name": e.name, "text": text(&e.text) })).collect::<Vec<_>>(),
+        "views": card.views.iter().map(view).collect::<Vec<_>>(),
         "equations": { "definitions": latex.definitions, "equations": latex.equations },
         "defaults": { "method": card.defaults.method, "until": card.defaults.until, "dt": card.defaults.dt },
     })

@@ -43,6 +43,8 @@ export interface System {
   starts: Quantity[];
   /** The system's own events. */
   events: { name: string; text: Text }[];
+  /** Pictures, the most telling first: pairs (horizontal, vertical) of names. */
+  views: { pairs: [string, string][]; equal_scales: boolean }[];
   /** LaTeX: (name, meaning) of what occurs several times, (left, right) of each equation. */
   equations: { definitions: [string, string][]; equations: [string, string][] };
   defaults: { method: string; until: number; dt: number };

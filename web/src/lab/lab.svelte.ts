@@ -1,0 +1,309 @@
+// The state of the lab: a list of scenarios (so that everything can be undone), the run of the one at hand, the clock.
+
+import type { Catalogue, Method, System } from "../core";
+import first from "../first.toml?raw";
+import { WORDS } from "../words";
+import { advance, sampleAt } from "./clock";
+import { decode, encode } from "./link";
+import { inField, shown, type Language } from "./number";
+import { Look } from "./result";
+import { Cancelled, Refusal, Runner } from "./runner";
+import { blame, by, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
+import { scenarioOf } from "./toml";
+
+export type Theme = "auto" | "light" | "dark";
+
+/** A run under another method, drawn over the one at hand. */
+export interface Rival {
+  method: Method;
+  look: Look | undefined;
+  refusal: string;
+}
+
+function remembered<T extends string>(key: string, choices: readonly T[]): T | undefined {
+  try {
+    const found = localStorage.getItem(`precess.${key}`);
+    return choices.find((choice) => choice === found);
+  } catch {
+    return undefined;
+  }
+}
+
+function remember(key: string, value: string): void {
+  try {
+    localStorage.setItem(`precess.${key}`, value);
+  } catch {
+    // A browser that keeps nothing still runs the lab.
+  }
+}
+
+const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+export class Lab {
+  readonly catalogue: Catalogue;
+  readonly #runner: Runner;
+
+  #history = $state.raw<Scenario[]>([]);
+  #at = $state(0);
+  language = $state<Language>("en");
+  theme = $state<Theme>("auto");
+
+  look = $state.raw<Look | undefined>(undefined);
+  refusal = $state<{ field: string; why: string } | undefined>(undefined);
+  notice = $state("");
+  /** What is read aloud. */
+  spoken = $state("");
+  progress = $state<number | undefined>(undefined);
+
+  t = $state(0);
+  playing = $state(!calm);
+  reverse = $state(false);
+  loop = $state(true);
+  speed = $state(1);
+  sample = $derived(this.look ? sampleAt(this.look.times, this.t) : 0);
+
+  rivals = $state.raw<Rival[]>([]);
+
+  static async open(): Promise<Lab> {
+    const runner = await Runner.open();
+    const { catalogue } = runner;
+    if (!catalogue) throw new Error("no catalogue");
+    return new Lab(runner, catalogue);
+  }
+
+  private constructor(runner: Runner, catalogue: Catalogue) {
+    this.#runner = runner;
+    this.catalogue = catalogue;
+    this.language =
+      remembered("language", ["en", "fr"]) ??
+      (navigator.language.toLowerCase().startsWith("fr") ? "fr" : "en");
+    this.theme = remembered("theme", ["auto", "light", "dark"]) ?? "auto";
+    this.#history = [scenarioOf(first)];
+    if (decode(location.hash)) this.followLink(location.hash);
+    else void this.#run();
+  }
+
+  get words() {
+    return WORDS[this.language];
+  }
+  get scenario(): Scenario {
+    return this.#history[this.#at] ?? scenarioOf(first);
+  }
+  get system(): System | undefined {
+    return systemOf(this.catalogue, this.scenario);
+  }
+  get method(): Method | undefined {
+    return methodOf(this.catalogue, this.scenario);
+  }
+  get text(): string {
+    return toml(this.scenario);
+  }
+  get canUndo(): boolean {
+    return this.#at > 0;
+  }
+  get canRedo(): boolean {
+    return this.#at < this.#history.length - 1;
+  }
+
+  number(x: number, digits?: number): string {
+    return shown(x, this.language, digits);
+  }
+  fieldText(text: string): string {
+    return inField(text, this.language);
+  }
+  say(text: { en: string; fr: string }): string {
+    return text[this.language];
+  }
+
+  speak(language: Language): void {
+    this.language = language;
+    remember("language", language);
+  }
+  dress(theme: Theme): void {
+    this.theme = theme;
+    remember("theme", theme);
+  }
+
+  /** Makes a scenario the one at hand. `instead` replaces the last edit, for drags. */
+  edit(scenario: Scenario, instead = false): void {
+    const before = this.#history.slice(0, this.#at + (instead ? 0 : 1));
+    this.#history = [...before, scenario];
+    this.#at = this.#history.length - 1;
+    this.#changed();
+  }
+  undo(): void {
+    if (!this.canUndo) return;
+    this.#at--;
+    this.#changed();
+  }
+  redo(): void {
+    if (!this.canRedo) return;
+    this.#at++;
+    this.#changed();
+  }
+
+  /** A new scenario that starts at the state shown. */
+  fork(): void {
+    if (!this.look) return;
+    this.t = 0;
+    this.edit(fork(this.scenario, this.look.stateAt(this.sample)));
+  }
+
+  /** The address of the scenario at hand. */
+  get link(): string {
+    return `${location.href.replace(/#.*$/s, "")}#${encode(this.text)}`;
+  }
+
+  /** Opens what an address holds; what was there before can be had back by undoing. */
+  followLink(hash: string): void {
+    const decoded = decode(hash);
+    if (!decoded || ("text" in decoded && decoded.text === this.text)) return;
+    if ("wrong" in decoded) {
+      this.notice = this.words.link[decoded.wrong];
+      if (!this.look) void this.#run();
+      return;
+    }
+    void this.openText(decoded.text);
+  }
+
+  /** Opens a scenario file. What the reader here does not know, the core spells out. */
+  async openText(text: string): Promise<void> {
+    let scenario: Scenario | undefined;
+    try {
+      scenario = scenarioOf(text);
+    } catch {
+      try {
+        scenario = scenarioOf((await this.#runner.run(text)).report.scenario);
+      } catch (error) {
+        this.notice = error instanceof Refusal ? error.message : this.words.link.broken;
+      }
+    }
+    if (scenario && !systemOf(this.catalogue, scenario)) {
+      // The core's own sentence says what is wrong with it.
+      const refused = this.#runner.run(text).catch((error: unknown) => {
+        this.notice = error instanceof Error ? error.message : String(error);
+      });
+      await refused;
+      scenario = undefined;
+    }
+    if (scenario) this.edit(scenario);
+    else if (!this.look) await this.#run();
+  }
+
+  #changed(): void {
+    history.replaceState(null, "", `#${encode(this.text)}`);
+    void this.#run();
+  }
+
+  async #run(): Promise<void> {
+    const { scenario, text } = this;
+    const fresh = this.look?.result.scenario.system !== scenario.system;
+    if (this.#runner.busy) this.#runner.cancel();
+    this.progress = undefined;
+    try {
+      const done = await this.#runner.run(text, (t) => (this.progress = t));
+      if (scenario !== this.scenario) return;
+      this.look = new Look({ ...done, scenario });
+      this.refusal = undefined;
+      this.notice = done.report.failure ? `${this.words.failed} ${done.report.failure}` : "";
+      const ends = [this.look.times[0] ?? 0, this.look.times.at(-1) ?? 0];
+      if (fresh || this.t < Math.min(...ends) || this.t > Math.max(...ends)) this.t = ends[0] ?? 0;
+      void this.#compare(this.rivals.map(({ method }) => method));
+    } catch (error) {
+      if (scenario !== this.scenario) return;
+      if (error instanceof Cancelled) this.notice = this.words.cancelled;
+      else this.refusal = blame(error instanceof Error ? error.message : String(error), text);
+    } finally {
+      if (scenario === this.scenario) this.progress = undefined;
+    }
+  }
+
+  cancel(): void {
+    this.#runner.cancel();
+  }
+
+  /** Runs the scenario under other methods too. */
+  rival(method: Method): void {
+    const methods = this.rivals.map((rival) => rival.method);
+    const without = methods.filter(({ id }) => id !== method.id);
+    void this.#compare(without.length < methods.length ? without : [...methods, method]);
+  }
+
+  async #compare(methods: Method[]): Promise<void> {
+    const { scenario } = this;
+    const others = methods.filter(({ id }) => id !== this.method?.id);
+    this.rivals = others.map(
+      (method) =>
+        this.rivals.find((rival) => rival.method === method && rival.look?.result.scenario === scenario) ?? {
+          method,
+          look: undefined,
+          refusal: "",
+        },
+    );
+    for (const method of others) {
+      if (this.rivals.some((rival) => rival.method === method && rival.look?.result.scenario === scenario))
+        continue;
+      let look: Look | undefined;
+      let refusal = "";
+      try {
+        look = new Look({ ...(await this.#runner.run(toml(by(scenario, method)))), scenario });
+      } catch (error) {
+        if (error instanceof Cancelled) return;
+        refusal = error instanceof Error ? error.message : String(error);
+      }
+      if (scenario !== this.scenario) return;
+      this.rivals = this.rivals.map((rival) => (rival.method === method ? { method, look, refusal } : rival));
+    }
+  }
+
+  /** Puts the clock on a sample. */
+  seek(sample: number): void {
+    const times = this.look?.times;
+    if (times) this.t = times[Math.min(Math.max(sample, 0), times.length - 1)] ?? 0;
+  }
+  step(samples: number): void {
+    this.playing = false;
+    this.seek(this.sample + samples);
+  }
+  toggle(): void {
+    if (!this.playing && this.look && !this.loop) {
+      const last = this.reverse ? 0 : this.look.times.length - 1;
+      if (this.sample === last) this.seek(this.reverse ? this.look.times.length - 1 : 0);
+    }
+    this.playing = !this.playing;
+  }
+  tick(seconds: number): void {
+    if (!this.playing || !this.look) return;
+    const { t, ended } = advance(this.look.times, this.t, seconds, this);
+    this.t = t;
+    if (ended) this.playing = false;
+  }
+
+  /** A sentence that says what is shown, to be read aloud. */
+  describe(): void {
+    const { look, system, sample } = this;
+    if (!look || !system) return;
+    const { columns } = look.result.report;
+    const values = columns
+      .filter(({ kind }) => kind === "time" || kind === "state")
+      .map(({ name, unit }) =>
+        `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${unit}`.trim(),
+      );
+    const drifts = look.result.report.drifts.map(
+      ({ name, relative, largest }) =>
+        `${this.words.drift}, ${this.meaning(name)}: ${this.number(relative ?? largest ?? NaN, 2)}`,
+    );
+    const sentence = [this.say(system.title), values.join("; "), ...drifts].join(". ");
+    // The same words again are read again only where they change.
+    this.spoken = sentence === this.spoken ? `${sentence} ` : sentence;
+  }
+
+  /** What a quantity is, in words; its name where the card has none. */
+  meaning(name: string): string {
+    if (name === "t") return this.words.time.toLowerCase();
+    const { system } = this;
+    const known = [...(system?.coordinates ?? []), ...(system?.observables ?? []), ...(system?.starts ?? [])];
+    const found = known.find((quantity) => quantity.name === name);
+    return found ? this.say(found.text) : name;
+  }
+}

@@ -1,0 +1,59 @@
+/// <reference lib="webworker" />
+// The thread that holds the core. It is told a scenario and answers with a report and columns.
+
+import { Core, CoreError } from "../core";
+import type { Ask, Answer } from "./messages";
+
+let core: Core | undefined;
+
+addEventListener("message", ({ data }: MessageEvent<Ask>) => {
+  void answer(data);
+});
+
+function say(message: Answer, transfer: Transferable[] = []): void {
+  postMessage(message, { transfer });
+}
+
+async function answer(ask: Ask): Promise<void> {
+  try {
+    if (ask.kind === "open") {
+      core = await Core.load(ask.module);
+      say({ kind: "catalogue", catalogue: core.catalogue() });
+    } else if (core) {
+      run(core, ask.id, ask.text);
+    }
+  } catch (error) {
+    const broken = !(error instanceof CoreError);
+    say({ kind: "refused", id: ask.kind === "run" ? ask.id : 0, broken, sentence: message(error) });
+  }
+}
+
+function message(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}
+
+function run(core: Core, id: number, text: string): void {
+  let last = performance.now();
+  const run = core.run(text, (t) => {
+    const now = performance.now();
+    if (now - last > 100) {
+      last = now;
+      say({ kind: "progress", id, t });
+    }
+    return true;
+  });
+  try {
+    const { rows, columns } = run.report;
+    const table = run.numbers;
+    const numbers = new Float64Array(table.length);
+    for (let row = 0; row < rows; row++) {
+      for (let k = 0; k < columns.length; k++) {
+        numbers[k * rows + row] = table[row * columns.length + k] ?? NaN;
+      }
+    }
+    const events = run.events();
+    say({ kind: "done", id, report: run.report, hash: run.hash(), events, numbers }, [numbers.buffer]);
+  } finally {
+    run.free();
+  }
+}

@@ -1,0 +1,53 @@
+// What a scene is: a small file beside this folder, named after its system, that maps a run's columns to shapes.
+
+import type { Ink } from "../../draw/ink";
+import type { Look } from "../../lab/result";
+import type { Pen } from "./pen";
+
+/** A flat scene, in the system's own lengths. */
+export interface Flat {
+  kind: "flat";
+  /** Half the width that must be seen about the middle. */
+  reach: (look: Look) => number;
+  draw: (pen: Pen, look: Look, sample: number) => void;
+  /** What the start becomes where a person drags to a place. */
+  drag?: (look: Look, sample: number, x: number, y: number) => Record<string, number>;
+}
+
+/** A place in space, z upwards. */
+export type Place = [number, number, number];
+/** A turn as a quaternion (x, y, z, w). */
+export type Turn = [number, number, number, number];
+
+/** A solid scene: what the body is made of is said by `solids.ts`. */
+export interface Solid {
+  kind: "solid";
+  /** The size of everything; the camera stands at several times it. */
+  size: (look: Look) => number;
+  body: (look: Look) => Piece[];
+  pose: (look: Look, sample: number) => { place: Place; turn: Turn };
+  /** A path that is drawn as far as it has been run through. */
+  trace: (look: Look, sample: number) => Place;
+  /** Radius of a thin sphere about the origin on which the trace lies; none where zero. */
+  sphere?: (look: Look) => number;
+  /** Height of the table; none where absent. */
+  table?: (look: Look) => number;
+  /** Where the camera looks. */
+  centre?: (look: Look) => Place;
+}
+
+/** A part of a body, in body axes, z along axis 3. */
+export type Piece =
+  | { shape: "turned"; profile: [radius: number, z: number][]; colour: "ink" | "accent" | "brass" }
+  | { shape: "box"; size: Place; colour: "ink" | "accent" | "brass" }
+  | { shape: "stripe"; profile: [radius: number, z: number][] };
+
+export type Scene = Flat | Solid;
+export type { Ink };
+
+/** T's Euler angles R = Rz(psi) Rx(theta) Rz(phi) as a quaternion: geometry, no mechanics. */
+export function turnOf(psi: number, theta: number, phi: number): Turn {
+  const [s, c] = [Math.sin(theta / 2), Math.cos(theta / 2)];
+  const [sum, difference] = [(psi + phi) / 2, (psi - phi) / 2];
+  return [s * Math.cos(difference), s * Math.sin(difference), c * Math.sin(sum), c * Math.cos(sum)];
+}

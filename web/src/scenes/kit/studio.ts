@@ -1,0 +1,229 @@
+// Solid scenes: light, a soft shadow on a table, the body, the trace of its axis. Comes only when wanted.
+
+import {
+  AmbientLight,
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  CircleGeometry,
+  Color,
+  DirectionalLight,
+  DoubleSide,
+  EdgesGeometry,
+  Group,
+  HemisphereLight,
+  LatheGeometry,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshStandardMaterial,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  ShadowMaterial,
+  SphereGeometry,
+  Vector2,
+  WebGLRenderer,
+  type Object3D,
+} from "three";
+import type { Ink } from "../../draw/ink";
+import type { Look } from "../../lab/result";
+import type { Piece, Place, Solid } from "./scene";
+
+export class Studio {
+  readonly #renderer: WebGLRenderer;
+  readonly #camera = new PerspectiveCamera(32, 1, 0.01, 100);
+  #scene = new Scene();
+  #body = new Group();
+  #stripes: Mesh[] = [];
+  #line = new Line();
+  #look: Look | undefined;
+  #solid: Solid | undefined;
+  #size = 1;
+  #centre: Place = [0, 0, 0];
+  /** Where the camera stands: round, up, how far (in sizes). */
+  round = -0.9;
+  up = 0.32;
+  far = 4.6;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    this.#renderer.shadowMap.enabled = true;
+    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#camera.up.set(0, 0, 1);
+  }
+
+  /** Builds everything for a run; the shapes are scaled so that the whole is of size one. */
+  build(solid: Solid, look: Look, ink: Ink): void {
+    this.#clear();
+    const { size } = solid;
+    [this.#solid, this.#look, this.#size] = [solid, look, size(look) || 1];
+    this.#centre = this.#scaled(solid.centre?.(look) ?? [0, 0, 0]);
+    const scene = new Scene();
+    scene.add(
+      new HemisphereLight(0xffffff, ink.dark ? 0x334466 : 0xd8c8b0, 1.6),
+      new AmbientLight(0xffffff, 0.5),
+    );
+    const sun = new DirectionalLight(0xfff2dd, 2.6);
+    sun.position.set(this.#centre[0] - 1.6, this.#centre[1] - 1.2, 4);
+    sun.target.position.set(...this.#centre);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.radius = 6;
+    Object.assign(sun.shadow.camera, { left: -2.5, right: 2.5, top: 2.5, bottom: -2.5, near: 0.5, far: 9 });
+    scene.add(sun, sun.target);
+    if (solid.table) this.#table(scene, solid.table(look) / this.#size, ink);
+    if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, ink);
+    this.#body = new Group();
+    for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
+    scene.add(this.#body);
+    this.#trace(scene, ink);
+    this.#scene = scene;
+  }
+
+  #scaled([x, y, z]: Place): Place {
+    return [x / this.#size, y / this.#size, z / this.#size];
+  }
+
+  #table(scene: Scene, z: number, ink: Ink): void {
+    const [x, y] = this.#centre;
+    const top = new Mesh(
+      new CircleGeometry(1.9, 96),
+      new MeshStandardMaterial({ color: ink.dark ? 0x1b2740 : 0xf3eee0, roughness: 1 }),
+    );
+    const shadow = new Mesh(
+      new CircleGeometry(1.9, 96),
+      new ShadowMaterial({ opacity: ink.dark ? 0.5 : 0.28 }),
+    );
+    top.position.set(x, y, z - 0.004);
+    shadow.position.set(x, y, z - 0.002);
+    shadow.receiveShadow = true;
+    scene.add(top, shadow);
+    for (const radius of [0.5, 1, 1.5, 1.9]) scene.add(ring(radius, [x, y, z], ink));
+  }
+
+  #sphere(scene: Scene, radius: number, ink: Ink): void {
+    const material = new MeshStandardMaterial({
+      color: ink.faint,
+      transparent: true,
+      opacity: 0.07,
+      side: DoubleSide,
+      depthWrite: false,
+    });
+    scene.add(new Mesh(new SphereGeometry(radius, 48, 32), material));
+    for (const z of [0, 0.5, 0.866]) scene.add(ring(radius * Math.sqrt(1 - z * z), [0, 0, radius * z], ink));
+  }
+
+  #piece(piece: Piece, ink: Ink): Object3D[] {
+    if (piece.shape === "box") {
+      const box = new BoxGeometry(...this.#scaled(piece.size));
+      const edges = new LineSegments(
+        new EdgesGeometry(box),
+        new LineBasicMaterial({ color: ink.dark ? 0xffffff : 0x000000 }),
+      );
+      return [this.#solidOf(box, piece.colour, ink), edges];
+    }
+    const stripe = piece.shape === "stripe";
+    const points = piece.profile.map(
+      ([r, z]) => new Vector2((r / this.#size) * (stripe ? 1.006 : 1), z / this.#size),
+    );
+    const sectors: [number, number][] = stripe
+      ? [0, 1, 2].map((k) => [(k * 2 * Math.PI) / 3, 0.42])
+      : [[0, 2 * Math.PI]];
+    return sectors.map(([from, angle]) => {
+      const turned = new LatheGeometry(points, stripe ? 10 : 72, from, angle);
+      turned.rotateX(Math.PI / 2);
+      const mesh = this.#solidOf(
+        turned,
+        stripe ? "accent" : piece.shape === "turned" ? piece.colour : "ink",
+        ink,
+      );
+      if (stripe) this.#stripes.push(mesh);
+      return mesh;
+    });
+  }
+
+  #solidOf(geometry: BufferGeometry, colour: "ink" | "accent" | "brass", ink: Ink): Mesh {
+    const paints = { ink: ink.dark ? "#6d83b5" : "#33456b", accent: ink.accent, brass: "#b08a3c" };
+    const material = new MeshStandardMaterial({
+      color: new Color(paints[colour]),
+      roughness: colour === "brass" ? 0.35 : 0.6,
+      metalness: colour === "brass" ? 0.6 : 0.05,
+      side: DoubleSide,
+      transparent: true,
+    });
+    const mesh = new Mesh(geometry, material);
+    mesh.castShadow = true;
+    return mesh;
+  }
+
+  #trace(scene: Scene, ink: Ink): void {
+    const [solid, look] = [this.#solid, this.#look];
+    if (!solid || !look) return;
+    const points = new Float32Array(look.times.length * 3);
+    for (let k = 0; k < look.times.length; k++) points.set(this.#scaled(solid.trace(look, k)), 3 * k);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(points, 3));
+    this.#line = new Line(geometry, new LineBasicMaterial({ color: ink.accent }));
+    this.#line.frustumCulled = false;
+    scene.add(this.#line);
+  }
+
+  /** Draws the moment of a sample; a body that has turned far since the last one shows its stripes blurred. */
+  show(sample: number, spin: number): void {
+    const [solid, look] = [this.#solid, this.#look];
+    if (!solid || !look) return;
+    const { place, turn } = solid.pose(look, sample);
+    this.#body.position.set(...this.#scaled(place));
+    this.#body.quaternion.set(...turn);
+    const blur = Math.min(Math.max((spin - 0.6) / 1.4, 0), 1);
+    for (const stripe of this.#stripes) (stripe.material as MeshStandardMaterial).opacity = 1 - 0.8 * blur;
+    // Not all of a long path: the newest part of it.
+    const from = Math.max(0, sample - 2400);
+    this.#line.geometry.setDrawRange(from, sample - from + 1);
+    const canvas = this.#renderer.domElement;
+    const [w, h] = [canvas.clientWidth, canvas.clientHeight];
+    if (w === 0 || h === 0) return;
+    this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.#renderer.setSize(w, h, false);
+    const far = this.far * Math.max(1, h / w);
+    const [x, y, z] = this.#centre;
+    this.#camera.position.set(
+      x + far * Math.cos(this.up) * Math.sin(this.round),
+      y - far * Math.cos(this.up) * Math.cos(this.round),
+      z + far * Math.sin(this.up),
+    );
+    this.#camera.lookAt(x, y, z);
+    this.#camera.aspect = w / h;
+    this.#camera.updateProjectionMatrix();
+    this.#renderer.render(this.#scene, this.#camera);
+  }
+
+  #clear(): void {
+    this.#stripes = [];
+    this.#scene.traverse((object) => {
+      if (object instanceof Mesh || object instanceof Line) {
+        (object.geometry as BufferGeometry).dispose();
+        (object.material as MeshStandardMaterial).dispose();
+      }
+    });
+  }
+
+  dispose(): void {
+    this.#clear();
+    this.#renderer.dispose();
+  }
+}
+
+function ring(radius: number, [x, y, z]: Place, ink: Ink): Line {
+  const points = Array.from({ length: 97 }, (_, k) =>
+    new Vector2(radius, 0).rotateAround(new Vector2(), (k * Math.PI) / 48),
+  );
+  const line = new Line(
+    new BufferGeometry().setFromPoints(points),
+    new LineBasicMaterial({ color: ink.faint, transparent: true, opacity: 0.35 }),
+  );
+  line.position.set(x, y, z);
+  return line;
+}

@@ -1,0 +1,47 @@
+import type { Look } from "../lab/result";
+import { turnOf, type Solid } from "./kit/scene";
+
+/** A sphere, cut above, with a stem; body axis 3 points from the centre of mass to the centre of the sphere. */
+function profile(radius: number): [number, number][] {
+  const LAST = 0.72 * Math.PI;
+  const arc = Array.from({ length: 25 }, (_, k): [number, number] => {
+    const angle = (k / 24) * LAST;
+    return [radius * Math.sin(angle), -radius * Math.cos(angle)];
+  });
+  return [...arc, [0, -radius * Math.cos(LAST)]];
+}
+
+const middle = (look: Look, name: string) => {
+  const column = look.column(name);
+  return (Math.min(...column) + Math.max(...column)) / 2;
+};
+
+const scene: Solid = {
+  kind: "solid",
+  size: (look) => Math.max(look.parameter("radius") * 2, look.reach("cx", "cy") * 0.6),
+  body(look) {
+    const r = look.parameter("radius");
+    return [
+      { shape: "turned", profile: profile(r), colour: "ink" },
+      { shape: "stripe", profile: profile(r) },
+      {
+        shape: "turned",
+        profile: [
+          [0, 0.6 * r],
+          [0.16 * r, 0.6 * r],
+          [0.2 * r, 1.5 * r],
+          [0, 1.55 * r],
+        ],
+        colour: "brass",
+      },
+    ];
+  },
+  pose: (look, k) => ({
+    place: [look.at("cx", k), look.at("cy", k), look.parameter("radius")],
+    turn: turnOf(look.at("psi", k), look.at("theta", k), look.at("phi", k)),
+  }),
+  trace: (look, k) => [look.at("contact_x", k), look.at("contact_y", k), look.parameter("radius") * 0.02],
+  table: () => 0,
+  centre: (look) => [middle(look, "cx"), middle(look, "cy"), look.parameter("radius")],
+};
+export default scene;
