@@ -1,16 +1,17 @@
-//! Imports point one way: scalar <- system <- {models, integrate} <- precess <- faces.
+//! Imports point one way: scalar <- system <- {models, integrate} <- precess <- faces; the lab's server stands apart.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Each crate of ours and those of ours that it may depend on.
-const EDGES: [(&str, &[&str]); 7] = [
+const EDGES: [(&str, &[&str]); 8] = [
     ("precess-scalar", &[]),
     ("precess-system", &["precess-scalar"]),
     ("precess-models", &["precess-scalar", "precess-system"]),
     ("precess-integrate", &["precess-scalar", "precess-system"]),
     ("precess", &["precess-scalar", "precess-system", "precess-models", "precess-integrate"]),
-    ("precess-cli", &["precess"]),
+    ("precess-lab", &[]),
+    ("precess-cli", &["precess", "precess-lab"]),
     ("precess-wasm", &["precess"]),
 ];
 
