@@ -38,6 +38,12 @@ pub enum Verb {
     Run(Run),
     /// Runs several methods on the same start, side by side
     Compare(Compare),
+    /// Serves the lab to a browser on this machine and prints its address; Ctrl-C ends it
+    Lab {
+        /// Port on loopback; 0 takes any free one (7654, or the next free one, where absent)
+        #[arg(long, value_name = "N")]
+        port: Option<u16>,
+    },
 }
 
 /// What `list` lists.

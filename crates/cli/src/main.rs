@@ -4,6 +4,7 @@ mod args;
 mod compare;
 mod draw;
 mod failure;
+mod lab;
 mod list;
 mod output;
 mod progress;
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Verb::Show { system, json, latex } => show::show(&system, json, latex),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
+        Verb::Lab { port } => lab::lab(port),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
