@@ -12,6 +12,7 @@ fn main() -> io::Result<()> {
     let dist = here.join("../../web/dist");
     // Cargo runs this script again when anything in the folder changes; a folder that is not there it takes for
     // changed every time, and would link the program anew with every build. So there is always a folder.
+    // Made during this run it counts as changed once more, which is right: another profile may not know it is new.
     if !dist.exists() {
         let _ = fs::create_dir(&dist);
     }
