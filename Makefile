@@ -1,16 +1,17 @@
 # The commands of Precess. `make` alone lists them.
 
 CARGO ?= cargo
-PRECESS = $(CARGO_TARGET_DIR)/release/precess
 OUT = out
 
 # Cargo's own variable, where it is set.
 CARGO_TARGET_DIR ?= target
+PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run bench test lint docs golden wasm wasm-target test-web test-web-now test-arm clean cargo
+.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now test-arm clean cargo
 
 help:
+	@echo "make lab    build the lab and serve it to a browser on this machine"
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
 	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
 	@echo "make test   every test, the lints, the documentation"
@@ -51,6 +52,27 @@ bench: $(PRECESS)
 	done; \
 	$(PRECESS) bench $(BENCH) "$$@"
 
+# Node first: whoever lacks it need not wait for the rest to be built.
+lab: cargo node wasm web/node_modules/.package-lock.json
+	@$(MAKE) --no-print-directory web/dist/index.html
+	@$(CARGO) build --release --quiet -p precess-cli
+	@$(PRECESS) lab $(if $(PORT),--port $(PORT))
+
+# Whatever in web/ is not made by a tool; the core in web/wasm/ is made, but the lab is made from it.
+LAB_SOURCES = $(shell find web \( -name node_modules -o -name dist -o -name tests -o -name '*-results' \
+	-o -name '*-report' \) -prune -o -type f -print)
+
+web/dist/index.html: $(LAB_SOURCES) web/node_modules/.package-lock.json
+	cd web && npm run --silent build
+
+# Status 0 where Node is recent enough and npm is there.
+NODE_WORKS = node -e 'const [a, b] = process.versions.node.split(".").map(Number); \
+	process.exit(a > 20 || (a === 20 && b >= 19) ? 0 : 1)' 2>/dev/null && npm -v >/dev/null 2>&1
+NODE = Node.js 20.19 or later with npm (https://nodejs.org)
+
+node:
+	@$(NODE_WORKS) || { echo "precess: the lab is built with $(NODE), which is missing" >&2; exit 1; }
+
 test: cargo lint
 	$(CARGO) test --workspace
 	@$(MAKE) --no-print-directory test-web
@@ -66,6 +88,7 @@ golden: cargo
 
 # Two builds of the same core, with and without lanes of 128 bits. Never relaxed SIMD: its results differ between
 # machines. A folder for each, so that neither build makes the other one stale; no path of this machine in the file.
+# A file that did not change is left alone, so that the lab is not built anew from it.
 wasm: wasm-target
 	@mkdir -p web/wasm
 	@$(call build-wasm,precess,)
@@ -73,15 +96,17 @@ wasm: wasm-target
 
 build-wasm = CARGO_TARGET_$(shell echo $(WASM) | tr a-z- A-Z_)_RUSTFLAGS="$(2) --remap-path-prefix=$${CARGO_HOME:-$$HOME/.cargo}=cargo" \
 	$(CARGO) build --quiet --profile wasm -p precess-wasm --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
-	&& cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm
+	&& { cmp -s $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm \
+	|| cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm; }
 
 wasm-target: cargo
-	@test -d "$$(rustc --print target-libdir --target $(WASM))" || rustup target add $(WASM)
+	@test -d "$$(rustc --print target-libdir --target $(WASM))" || rustup target add $(WASM) || \
+	{ echo "precess: Rust's target $(WASM) is missing: see https://rustup.rs" >&2; exit 1; }
 
 # Whoever lacks a tool for this face still gets the rest of the tests; the gate sets PRECESS_REQUIRE_ALL=1.
 test-web:
-	@if ! node -e 'process.exit(Number(process.versions.node.split(".")[0] < 20))' 2>/dev/null || ! npm -v >/dev/null 2>&1; \
-	then lacks="Node.js 20 or later with npm (https://nodejs.org)"; \
+	@if ! { $(NODE_WORKS); }; \
+	then lacks="$(NODE)"; \
 	elif ! $(MAKE) --no-print-directory wasm-target; \
 	then lacks="Rust's target $(WASM) (rustup target add $(WASM))"; \
 	fi; \

@@ -40,6 +40,12 @@ pub enum Verb {
     Compare(Compare),
     /// Measures how fast this program is on this machine, ratios first
     Bench(Bench),
+    /// Serves the lab to a browser on this machine and prints its address; Ctrl-C ends it
+    Lab {
+        /// Port on loopback; 0 takes any free one (7654, or the next free one, where absent)
+        #[arg(long, value_name = "N")]
+        port: Option<u16>,
+    },
 }
 
 /// What `list` lists.

@@ -5,6 +5,7 @@ mod bench;
 mod compare;
 mod draw;
 mod failure;
+mod lab;
 mod list;
 mod output;
 mod progress;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
+        Verb::Lab { port } => lab::lab(port),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

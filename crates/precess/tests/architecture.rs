@@ -1,17 +1,19 @@
-//! Imports point one way: scalar <- system <- {models, integrate} <- precess <- bench <- faces.
+//! Imports point one way: scalar <- system <- {models, integrate} <- precess <- bench <- faces; the lab's server stands
+//! apart.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Each crate of ours and those of ours that it may depend on.
-const EDGES: [(&str, &[&str]); 8] = [
+const EDGES: [(&str, &[&str]); 9] = [
     ("precess-scalar", &[]),
     ("precess-system", &["precess-scalar"]),
     ("precess-models", &["precess-scalar", "precess-system"]),
     ("precess-integrate", &["precess-scalar", "precess-system"]),
     ("precess", &["precess-scalar", "precess-system", "precess-models", "precess-integrate"]),
     ("precess-bench", &["precess"]),
-    ("precess-cli", &["precess", "precess-bench"]),
+    ("precess-lab", &[]),
+    ("precess-cli", &["precess", "precess-bench", "precess-lab"]),
     ("precess-wasm", &["precess"]),
 ];
 
