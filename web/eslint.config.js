@@ -3,7 +3,8 @@ import svelte from "eslint-plugin-svelte";
 import tseslint from "typescript-eslint";
 
 export default defineConfig(
-  { ignores: ["wasm/", "node_modules/", "dist/", "test-results/"] },
+  // bench/ is plain scripts, run by hand.
+  { ignores: ["bench/", "wasm/", "node_modules/", "dist/", "test-results/"] },
   tseslint.configs.strictTypeChecked,
   tseslint.configs.stylisticTypeChecked,
   svelte.configs.recommended,

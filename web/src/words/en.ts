@@ -34,7 +34,8 @@ export const en = {
   theme: "Light or dark",
   themes: { auto: "Auto", light: "Light", dark: "Dark" },
   equations: "Equations",
-  source: "Source",
+  source: "Source:",
+  rateOf: "rate of change of: ",
   close: "Close",
   compare: "Compare methods",
   compareHint: "The same start under other methods, drawn over the run.",
@@ -64,7 +65,6 @@ export const en = {
   equalScales: "equal scales",
   graph: "Graph",
   invariants: "Drift of the invariants",
-  noInvariants: "Nothing stays constant here.",
   link: {
     broken: "This link is damaged and holds no scenario; what you had is still here.",
     huge: "This link is larger than any scenario; what you had is still here.",

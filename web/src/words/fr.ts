@@ -34,7 +34,8 @@ export const fr: Words = {
   theme: "Clair ou sombre",
   themes: { auto: "Auto", light: "Clair", dark: "Sombre" },
   equations: "Équations",
-  source: "Source",
+  source: "Source :",
+  rateOf: "vitesse : ",
   close: "Fermer",
   compare: "Comparer des méthodes",
   compareHint: "Le même départ avec d'autres méthodes, tracé sur le calcul.",
@@ -64,7 +65,6 @@ export const fr: Words = {
   equalScales: "mêmes échelles",
   graph: "Graphique",
   invariants: "Dérive des invariants",
-  noInvariants: "Rien n'est constant ici.",
   link: {
     broken: "Ce lien est abîmé et ne contient aucun scénario ; votre travail est toujours là.",
     huge: "Ce lien est plus grand que tout scénario ; votre travail est toujours là.",
