@@ -55,3 +55,19 @@ fn neighbours(plan: &Plan) -> Vec<f64> {
     let near = |member: usize| plan.start.iter().map(move |x| x * (1.0 + 1e-4 * member as f64));
     (0..MEMBERS).flat_map(near).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_single_other_bit_is_noticed() {
+        let plain = Members { state: 2, times: vec![1.0], numbers: vec![0.0, 0.3], failures: vec![] };
+        assert_eq!(same_bits("a test", Isa::Narrow, &plain, &plain), Ok(()));
+        for numbers in [vec![-0.0, 0.3], vec![0.0, f64::from_bits(0.3_f64.to_bits() + 1)]] {
+            let other = Members { numbers, ..plain.clone() };
+            let error = same_bits("a test", Isa::Narrow, &other, &plain).expect_err("they differ");
+            assert!(matches!(error, Error::Failed(_)), "{error}");
+        }
+    }
+}

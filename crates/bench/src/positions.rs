@@ -35,3 +35,28 @@ fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
     let (dx, dy) = (a[0] - b[0], a[1] - b[1]);
     (dx * dx + dy * dy).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_settled_points_count_and_a_nan_is_infinitely_far() {
+        let one = [[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
+        let counted = settled(&one, &[[0.0, 1e-13], [1.0, 1.1], [2.0, f64::NAN]]);
+        assert_eq!(counted, [true, false, false]);
+        assert_eq!(largest_distance(&[[3.0, 4.0], [9.0, 9.0], [9.0, 9.0]], &one, &counted), 5.0);
+        for nan in [[f64::NAN, 0.0], [0.0, f64::NAN]] {
+            assert_eq!(largest_distance(&[nan, one[1], one[2]], &one, &counted), f64::INFINITY);
+        }
+    }
+
+    #[test]
+    fn twins_share_a_name() {
+        let peers = |names: &[&str]| -> Vec<Peer> {
+            names.iter().map(|name| Peer::parse(&format!("{name}=true")).expect("a peer")).collect()
+        };
+        assert_eq!(twins(&peers(&["numba", "c", "c-strict"])), Some((1, 2)));
+        assert_eq!(twins(&peers(&["c", "cc", "numba"])), None);
+    }
+}

@@ -3,7 +3,7 @@
 use crate::args::Bench;
 use crate::failure::Failure;
 use crate::list;
-use indicatif::{ProgressBar, ProgressDrawTarget};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish};
 use precess_bench::{Effort, NAMES, Peer, Settings, measure};
 use serde_json::json;
 use std::time::Duration;
@@ -19,7 +19,7 @@ pub fn bench(arguments: &Bench) -> Result<(), Failure> {
     let settings = Settings::new(effort, peers)?;
 
     let target = if arguments.quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-    let spinner = ProgressBar::with_draw_target(None, target);
+    let spinner = ProgressBar::with_draw_target(None, target).with_finish(ProgressFinish::AndClear);
     // Less often than the default: drawing takes time from what is measured.
     spinner.enable_steady_tick(Duration::from_secs(1));
     let mut tables = vec![];
