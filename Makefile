@@ -8,12 +8,13 @@ CARGO_TARGET_DIR ?= target
 PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now test-arm clean cargo
+.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-arm clean cargo
 
 help:
 	@echo "make lab    build the lab and serve it to a browser on this machine"
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
 	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
+	@echo "make bench-web  the same in WebAssembly beside native code, under Node and in Chromium"
 	@echo "make test   every test, the lints, the documentation"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
@@ -121,6 +122,14 @@ test-web-now: wasm web/node_modules/.package-lock.json
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --no-audit --no-fund && touch node_modules/.package-lock.json
+
+# Exercise 7.5 in Node and Chromium beside the same work done natively, in rounds of POINTS x POINTS starts.
+ROUNDS = 7
+POINTS = 32
+bench-web: wasm web/node_modules/.package-lock.json
+	@$(CARGO) build --release --quiet -p precess-wasm --example exercise_7_5
+	@native=$$(realpath $(CARGO_TARGET_DIR))/release/examples/exercise_7_5 && \
+	cd web && node bench/bench.js "$$native" $(ROUNDS) $(POINTS)
 
 # The same bits on 64-bit ARM, with and without NEON: built by a cross compiler, run by an emulator, with a tenth of the
 # golden steps.
