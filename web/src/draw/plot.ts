@@ -13,7 +13,8 @@ export interface Curve {
 export interface Plot {
   curves: Curve[];
   x: string;
-  y: string;
+  /** A name a curve, in its colour. */
+  y: string[];
   equal: boolean;
 }
 
@@ -76,7 +77,13 @@ export function drawPlot(
   pen.fillStyle = ink.ink;
   pen.fillText(plot.x, f.right, h - 6);
   pen.textAlign = "left";
-  pen.fillText(plot.y, 6, 13, w - 12);
+  let at = 6;
+  plot.y.forEach((name, k) => {
+    const several = plot.y.length > 1;
+    pen.fillStyle = several ? (ink.curves[k % ink.curves.length] ?? ink.ink) : ink.ink;
+    pen.fillText(name, at, 13);
+    at += pen.measureText(name).width + 12;
+  });
   pen.save();
   pen.beginPath();
   pen.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);

@@ -50,6 +50,7 @@ export class Lab {
 
   look = $state.raw<Look | undefined>(undefined);
   refusal = $state<{ field: string; why: string } | undefined>(undefined);
+  /** What has just happened, until the next edit. */
   notice = $state("");
   /** What is read aloud. */
   spoken = $state("");
@@ -145,8 +146,9 @@ export class Lab {
   /** A new scenario that starts at the state shown. */
   fork(): void {
     if (!this.look) return;
+    const state = this.look.stateAt(this.sample);
     this.t = 0;
-    this.edit(fork(this.scenario, this.look.stateAt(this.sample)));
+    this.edit(fork(this.scenario, state));
   }
 
   /** The address of the scenario at hand. */
@@ -191,6 +193,7 @@ export class Lab {
   }
 
   #changed(): void {
+    this.notice = "";
     history.replaceState(null, "", `#${encode(this.text)}`);
     void this.#run();
   }
@@ -205,7 +208,6 @@ export class Lab {
       if (scenario !== this.scenario) return;
       this.look = new Look({ ...done, scenario });
       this.refusal = undefined;
-      this.notice = done.report.failure ? `${this.words.failed} ${done.report.failure}` : "";
       const ends = [this.look.times[0] ?? 0, this.look.times.at(-1) ?? 0];
       if (fresh || this.t < Math.min(...ends) || this.t > Math.max(...ends)) this.t = ends[0] ?? 0;
       void this.#compare(this.rivals.map(({ method }) => method));
@@ -277,6 +279,13 @@ export class Lab {
     const { t, ended } = advance(this.look.times, this.t, seconds, this);
     this.t = t;
     if (ended) this.playing = false;
+  }
+
+  /** What a scenario is called: its own title, or its system's. */
+  titleOf(scenario: Scenario | undefined): string {
+    const system = scenario && systemOf(this.catalogue, scenario);
+    if (scenario?.title) return scenario.title;
+    return system ? this.say(system.title) : "";
   }
 
   /** A sentence that says what is shown, to be read aloud. */

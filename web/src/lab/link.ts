@@ -54,5 +54,5 @@ function inflated(bytes: Uint8Array): Decoded {
     at += chunk.length;
   }
   const text = strFromU8(whole);
-  return ended && text.includes("precess") ? { text } : { wrong: "broken" };
+  return (ended as boolean) && text.includes("precess") ? { text } : { wrong: "broken" };
 }

@@ -22,7 +22,6 @@ const NUMBER = /^[+-]?(0|[1-9]\d*)(\.\d+)?([eE][+-]?\d+)?$/;
 
 /** A text between quotes, as TOML has it. */
 function quoted(text: string): string {
-  // eslint-disable-next-line no-control-regex -- these are what TOML wants escaped
   return JSON.stringify(text).replace(/[\u007f]/g, "\\u007f");
 }
 

@@ -17,6 +17,7 @@ import {
   LineBasicMaterial,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
   MeshStandardMaterial,
   PCFShadowMap,
   PerspectiveCamera,
@@ -44,8 +45,8 @@ export class Studio {
   #centre: Place = [0, 0, 0];
   /** Where the camera stands: round, up, how far (in sizes). */
   round = -0.9;
-  up = 0.32;
-  far = 4.6;
+  up = 0.36;
+  far = 3.9;
 
   constructor(canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -89,18 +90,18 @@ export class Studio {
   #table(scene: Scene, z: number, ink: Ink): void {
     const [x, y] = this.#centre;
     const top = new Mesh(
-      new CircleGeometry(1.9, 96),
-      new MeshStandardMaterial({ color: ink.dark ? 0x1b2740 : 0xf3eee0, roughness: 1 }),
+      new CircleGeometry(1.6, 96),
+      new MeshBasicMaterial({ color: ink.dark ? 0x18223a : 0xf1eee3 }),
     );
     const shadow = new Mesh(
-      new CircleGeometry(1.9, 96),
+      new CircleGeometry(1.6, 96),
       new ShadowMaterial({ opacity: ink.dark ? 0.5 : 0.28 }),
     );
     top.position.set(x, y, z - 0.004);
     shadow.position.set(x, y, z - 0.002);
     shadow.receiveShadow = true;
     scene.add(top, shadow);
-    for (const radius of [0.5, 1, 1.5, 1.9]) scene.add(ring(radius, [x, y, z], ink));
+    for (const radius of [0.4, 0.8, 1.2, 1.6]) scene.add(ring(radius, [x, y, z], ink));
   }
 
   #sphere(scene: Scene, radius: number, ink: Ink): void {
@@ -134,11 +135,7 @@ export class Studio {
     return sectors.map(([from, angle]) => {
       const turned = new LatheGeometry(points, stripe ? 10 : 72, from, angle);
       turned.rotateX(Math.PI / 2);
-      const mesh = this.#solidOf(
-        turned,
-        stripe ? "accent" : piece.shape === "turned" ? piece.colour : "ink",
-        ink,
-      );
+      const mesh = this.#solidOf(turned, piece.shape === "stripe" ? "accent" : piece.colour, ink);
       if (stripe) this.#stripes.push(mesh);
       return mesh;
     });

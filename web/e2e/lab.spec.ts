@@ -1,0 +1,224 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { decode } from "../src/lab/link";
+import { load } from "../tests/builds";
+
+/** Anything that goes wrong in the page fails the test that opened it. */
+async function open(page: Page, hash = ""): Promise<void> {
+  page.on("pageerror", (error) => {
+    throw error;
+  });
+  await page.goto(`./${hash}`);
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", "", { timeout: 15_000 });
+}
+
+const hashOf = (page: Page) => page.locator("[data-run]").getAttribute("data-run");
+
+async function choose(page: Page, id: string): Promise<void> {
+  const before = await hashOf(page);
+  await page.locator(`[data-system=${id}]`).click();
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+}
+
+async function fill(page: Page, field: string, text: string): Promise<void> {
+  const input = page.locator(`[data-field=${field}]`);
+  await input.fill(text);
+  await input.press("Enter");
+}
+
+/** The colours in a canvas, coarsely: one that is blank has one. */
+async function picture(page: Page, selector: string): Promise<string> {
+  return page.locator(selector).evaluate((canvas: HTMLCanvasElement) => {
+    const small = document.createElement("canvas");
+    [small.width, small.height] = [120, 60];
+    const pen = small.getContext("2d");
+    pen?.drawImage(canvas, 0, 0, 120, 60);
+    return Array.from(pen?.getImageData(0, 0, 120, 60).data ?? []).join();
+  });
+}
+
+test("a top precesses on the first page, without a click", async ({ page }) => {
+  await open(page);
+  await expect(page.locator("[data-scene=gyroscope]")).toBeVisible();
+  await page.waitForTimeout(500);
+  const before = await picture(page, "[data-scene]");
+  expect(new Set(before.split(",")).size).toBeGreaterThan(20);
+  await expect.poll(() => picture(page, "[data-scene]")).not.toBe(before);
+});
+
+test("every system opens, is not blank, and moves", async ({ page }) => {
+  await open(page);
+  const ids = await page
+    .locator("[data-system]")
+    .evaluateAll((buttons) => buttons.map((button) => (button as HTMLElement).dataset["system"] ?? ""));
+  expect(ids.length).toBeGreaterThanOrEqual(10);
+  for (const id of ids) {
+    if (id !== "gyroscope") await choose(page, id);
+    else await page.locator("[data-system=gyroscope]").click();
+    await expect(page.locator(`[data-scene=${id}]`)).toBeVisible();
+    await page.waitForTimeout(400);
+    const before = await picture(page, "[data-scene]");
+    expect(new Set(before.split(",")).size, id).toBeGreaterThan(4);
+    await page.locator("[data-scrub]").fill("300");
+    await expect.poll(() => picture(page, "[data-scene]"), id).not.toBe(before);
+    expect(new Set((await picture(page, "[data-graph='2']")).split(",")).size, id).toBeGreaterThan(4);
+  }
+});
+
+test("a link made in the page gives the same bits in the core", async ({ page }) => {
+  await open(page);
+  await choose(page, "double_pendulum");
+  await fill(page, "theta1", "2,5");
+  await fill(page, "l2", "7/10");
+  await expect.poll(() => page.url()).toContain("#1.");
+  await page.waitForTimeout(300);
+  const shown = await hashOf(page);
+  const decoded = decode(new URL(page.url()).hash);
+  if (!decoded || !("text" in decoded)) throw new Error("no scenario in the link");
+  expect(decoded.text).toContain("theta1 = 2.5");
+  const run = (await load("precess")).run(decoded.text);
+  expect(run.hash()).toBe(shown);
+  // Whoever opens it sees the same.
+  const other = await page.context().newPage();
+  await open(other, new URL(page.url()).hash);
+  expect(await hashOf(other)).toBe(shown);
+});
+
+test("a damaged or newer link says so, and nothing is lost", async ({ page }) => {
+  await open(page, "#1.garbage");
+  await expect(page.getByRole("status")).toContainText("damaged");
+  await choose(page, "pendulum");
+  const before = await hashOf(page);
+  await page.evaluate(() => (location.hash = "#9.abc"));
+  await expect(page.getByRole("status")).toContainText("newer");
+  expect(await hashOf(page)).toBe(before);
+});
+
+test("scrubbing, stepping, forking and undoing are exact", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  await page.locator("[data-scrub]").fill("200");
+  await expect(page.locator("[data-clock]")).toHaveText("1.000 s");
+  await page.locator("[data-on]").click();
+  await expect(page.locator("[data-clock]")).toHaveText("1.005 s");
+  await page.locator("[data-back]").click();
+  const before = await hashOf(page);
+  await page.locator("[data-fork]").click();
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+  await expect(page.locator("[data-clock]")).toHaveText("0.000 s");
+  const run = (await load("precess")).run('precess = 1\n[system]\nid = "pendulum"\n[run]\nevery = 0.005\n');
+  await expect(page.locator("[data-field=theta]")).toHaveValue(String(run.column("theta")[200]));
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(page.locator("[data-run]")).toHaveAttribute("data-run", before ?? "");
+  await page.getByRole("button", { name: "Redo" }).click();
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+});
+
+test("a mistake is named beside its field, and the last good run stays", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  const before = await hashOf(page);
+  await fill(page, "l", "1 kg");
+  const field = page.locator("[data-field=l]");
+  await expect(field).toHaveAttribute("aria-invalid", "true");
+  await expect(page.getByText("a value in m is needed here, not one in kg")).toBeVisible();
+  expect(await hashOf(page)).toBe(before);
+});
+
+test("dragging the pendulum starts it elsewhere, as one step that can be undone", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  const before = await hashOf(page);
+  const box = await page.locator("[data-scene]").boundingBox();
+  if (!box) throw new Error("no scene");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y + 80);
+  await page.mouse.down();
+  for (const dx of [40, 80, 120]) await page.mouse.move(x + dx, y, { steps: 3 });
+  await page.mouse.up();
+  await expect(page.locator("[data-field=theta]")).toHaveValue("1.571");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(page.locator("[data-run]")).toHaveAttribute("data-run", before ?? "");
+});
+
+test("methods can be compared, and equations read", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  await page.locator("[data-rival=euler]").check();
+  await expect(page.getByText(/evaluations/)).toHaveCount(2);
+  await page.getByRole("button", { name: "Equations" }).click();
+  await expect(page.locator(".katex").first()).toBeVisible();
+});
+
+test("the keyboard alone plays, steps, forks and describes", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  await page.locator("#timebar").focus();
+  await page.keyboard.press(" ");
+  await expect(page.locator("[data-play]")).toHaveAccessibleName("Play");
+  const clock = await page.locator("[data-clock]").textContent();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.locator("[data-clock]")).not.toHaveText(clock ?? "");
+  await page.keyboard.press("d");
+  await expect(page.locator("[data-spoken]")).toContainText("angle from the downward vertical");
+  const before = await hashOf(page);
+  await page.keyboard.press("f");
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+});
+
+for (const [language, colorScheme] of [
+  ["en", "light"],
+  ["fr", "dark"],
+] as const) {
+  test.describe(`${language}, ${colorScheme}`, () => {
+    test.use({ locale: language, colorScheme });
+    test("has no barrier that axe knows", async ({ page }) => {
+      await open(page);
+      await expect(page.locator("html")).toHaveAttribute("lang", language);
+      await page.locator("header summary").click();
+      await page.locator("header button[aria-pressed]").click();
+      await expect(page.locator(".katex").first()).toBeVisible();
+      const full = await new AxeBuilder({ page }).analyze();
+      expect(full.violations.map(({ id, nodes }) => [id, nodes.map((node) => node.html)])).toEqual([]);
+      await choose(page, "n_body");
+      await fill(page, "k", "x");
+      await page.locator("[data-rival=euler]").check();
+      await expect(page.locator("[aria-invalid]")).toBeVisible();
+      const wrong = await new AxeBuilder({ page }).analyze();
+      expect(wrong.violations.map(({ id, nodes }) => [id, nodes.map((node) => node.html)])).toEqual([]);
+    });
+  });
+}
+
+test("French has a decimal comma, and the choice stays", async ({ page }) => {
+  await open(page);
+  await page.locator("[data-language]").click();
+  await expect(page.getByRole("heading", { name: "Systèmes" })).toBeVisible();
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-field=g]")).toHaveValue("9,81");
+  await page.reload();
+  await expect(page.getByRole("heading", { name: "Systèmes" })).toBeVisible();
+});
+
+test.describe("a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true });
+  test("shows the scene on top and the parameters in a sheet", async ({ page }) => {
+    await open(page);
+    await expect(page.locator("[data-scene]")).toBeInViewport();
+    await expect(page.locator("[data-field=theta]")).toBeHidden();
+    await page.getByRole("button", { name: "Parameters" }).click();
+    await expect(page.locator("[data-field=theta]")).toBeVisible();
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+    expect(wide).toBe(false);
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    expect(violations.map(({ id, nodes }) => [id, nodes.map((node) => node.html)])).toEqual([]);
+  });
+});
+
+test.describe("reduced motion", () => {
+  test.use({ contextOptions: { reducedMotion: "reduce" } });
+  test("starts paused", async ({ page }) => {
+    await open(page);
+    await expect(page.locator("[data-play]")).toHaveAccessibleName("Play");
+  });
+});
