@@ -187,6 +187,12 @@ describe("numbers", () => {
       "1e6",
       "1.5e−7",
     ]);
+    expect([5.9e-10, 2e-20, 1e10, 2.5e100].map((x) => shown(x, "en", 2))).toEqual([
+      "5.9e−10",
+      "2e−20",
+      "1e10",
+      "2.5e100",
+    ]);
     expect(shown(1.5e-7, "fr")).toBe("1,5e−7");
     expect(shown(NaN, "en")).toBe("–");
     expect(inField("0.5", "fr")).toBe("0,5");

@@ -8,9 +8,10 @@ export function shown(x: number, language: Language, digits = 5): string {
   const size = Math.abs(x);
   const plain = x === 0 || (size >= 1e-3 && size < 1e6);
   const text = plain ? String(Number(x.toPrecision(digits))) : x.toExponential(digits - 1);
-  const tidy = text.replace(/\.?0+(?=e|$)/, (zeros) =>
-    zeros.startsWith(".") || text.includes(".") ? "" : zeros,
-  );
+  const [mantissa = "", exponent] = text.split("e");
+  // Zeros at the end of a fraction say nothing; those of an exponent do.
+  const short = mantissa.includes(".") ? mantissa.replace(/\.?0+$/, "") : mantissa;
+  const tidy = exponent === undefined ? short : `${short}e${exponent}`;
   return local(tidy.replace("e+", "e"), language);
 }
 

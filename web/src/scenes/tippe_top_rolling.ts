@@ -1,4 +1,3 @@
-import type { Look } from "../lab/result";
 import { turnOf, type Solid } from "./kit/scene";
 
 /** A sphere, cut above, with a stem; body axis 3 points from the centre of mass to the centre of the sphere. */
@@ -11,19 +10,14 @@ function profile(radius: number): [number, number][] {
   return [...arc, [0, -radius * Math.cos(LAST)]];
 }
 
-const middle = (look: Look, name: string) => {
-  const column = look.column(name);
-  return (Math.min(...column) + Math.max(...column)) / 2;
-};
-
 const scene: Solid = {
   kind: "solid",
-  size: (look) => Math.max(look.parameter("radius") * 2, look.reach("cx", "cy") * 0.6),
+  size: (look) => look.parameter("radius") * 2.4,
   body(look) {
     const r = look.parameter("radius");
     return [
       { shape: "turned", profile: profile(r), colour: "ink" },
-      { shape: "stripe", profile: profile(r) },
+      { shape: "stripe", profile: profile(r).slice(0, -1) },
       {
         shape: "turned",
         profile: [
@@ -42,6 +36,6 @@ const scene: Solid = {
   }),
   trace: (look, k) => [look.at("contact_x", k), look.at("contact_y", k), look.parameter("radius") * 0.02],
   table: () => 0,
-  centre: (look) => [middle(look, "cx"), middle(look, "cy"), look.parameter("radius")],
+  follow: true,
 };
 export default scene;

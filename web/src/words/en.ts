@@ -65,7 +65,6 @@ export const en = {
   equalScales: "equal scales",
   graph: "Graph",
   invariants: "Drift of the invariants",
-  noInvariants: "Nothing stays constant here.",
   link: {
     broken: "This link is damaged and holds no scenario; what you had is still here.",
     huge: "This link is larger than any scenario; what you had is still here.",

@@ -65,7 +65,6 @@ export const fr: Words = {
   equalScales: "mêmes échelles",
   graph: "Graphique",
   invariants: "Dérive des invariants",
-  noInvariants: "Rien n'est constant ici.",
   link: {
     broken: "Ce lien est abîmé et ne contient aucun scénario ; votre travail est toujours là.",
     huge: "Ce lien est plus grand que tout scénario ; votre travail est toujours là.",

@@ -32,6 +32,8 @@ export interface Solid {
   sphere?: (look: Look) => number;
   /** Height of the table; none where absent. */
   table?: (look: Look) => number;
+  /** The camera goes with the body, and the table with the camera. */
+  follow?: boolean;
   /** Where the camera looks. */
   centre?: (look: Look) => Place;
 }

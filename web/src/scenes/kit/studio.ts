@@ -37,6 +37,8 @@ export class Studio {
   readonly #camera = new PerspectiveCamera(32, 1, 0.01, 100);
   #scene = new Scene();
   #body = new Group();
+  /** Light and table. */
+  #ground = new Group();
   #stripes: Mesh[] = [];
   #line = new Line();
   #look: Look | undefined;
@@ -73,8 +75,10 @@ export class Studio {
     sun.shadow.mapSize.set(1024, 1024);
     sun.shadow.radius = 6;
     Object.assign(sun.shadow.camera, { left: -2.5, right: 2.5, top: 2.5, bottom: -2.5, near: 0.5, far: 9 });
-    scene.add(sun, sun.target);
-    if (solid.table) this.#table(scene, solid.table(look) / this.#size, ink);
+    this.#ground = new Group();
+    this.#ground.add(sun, sun.target);
+    scene.add(this.#ground);
+    if (solid.table) this.#table(this.#ground, solid.table(look) / this.#size, ink);
     if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, ink);
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
@@ -87,7 +91,7 @@ export class Studio {
     return [x / this.#size, y / this.#size, z / this.#size];
   }
 
-  #table(scene: Scene, z: number, ink: Ink): void {
+  #table(ground: Group, z: number, ink: Ink): void {
     const [x, y] = this.#centre;
     const top = new Mesh(
       new CircleGeometry(1.6, 96),
@@ -100,8 +104,10 @@ export class Studio {
     top.position.set(x, y, z - 0.004);
     shadow.position.set(x, y, z - 0.002);
     shadow.receiveShadow = true;
-    scene.add(top, shadow);
-    for (const radius of [0.4, 0.8, 1.2, 1.6]) scene.add(ring(radius, [x, y, z], ink));
+    ground.add(top, shadow);
+    // Rings would seem to rest where the table goes along.
+    const rings = this.#solid?.follow ? [1.6] : [0.4, 0.8, 1.2, 1.6];
+    for (const radius of rings) ground.add(ring(radius, [x, y, z], ink));
   }
 
   #sphere(scene: Scene, radius: number, ink: Ink): void {
@@ -174,6 +180,10 @@ export class Studio {
     const { place, turn } = solid.pose(look, sample);
     this.#body.position.set(...this.#scaled(place));
     this.#body.quaternion.set(...turn);
+    if (solid.follow) {
+      this.#centre = this.#scaled(place);
+      this.#ground.position.set(this.#centre[0], this.#centre[1], 0);
+    }
     const blur = Math.min(Math.max((spin - 0.6) / 1.4, 0), 1);
     for (const stripe of this.#stripes) (stripe.material as MeshStandardMaterial).opacity = 1 - 0.8 * blur;
     // Not all of a long path: the newest part of it.
