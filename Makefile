@@ -118,7 +118,7 @@ test-web:
 	$(MAKE) --no-print-directory test-web-now
 
 test-web-now: wasm web/node_modules/.package-lock.json
-	cd web && npm run --silent check && npm run --silent test
+	cd web && npm run --silent check && npm run --silent test && npm run --silent build -- --logLevel warn
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --no-audit --no-fund && touch node_modules/.package-lock.json

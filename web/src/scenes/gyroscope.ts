@@ -16,7 +16,7 @@ const scene: Solid = {
     ];
     return [
       { shape: "turned", profile, colour: "ink" },
-      { shape: "stripe", profile },
+      { shape: "stripe", profile: profile.slice(0, -1) },
       {
         shape: "turned",
         profile: [

@@ -17,7 +17,7 @@ const scene: Solid = {
     const r = look.parameter("radius");
     return [
       { shape: "turned", profile: profile(r), colour: "ink" },
-      { shape: "stripe", profile: profile(r) },
+      { shape: "stripe", profile: profile(r).slice(0, -1) },
       {
         shape: "turned",
         profile: [
