@@ -5,7 +5,8 @@
 
 // @ts-check
 import { execFileSync, spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync } from "node:fs";
+import { rm } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -22,8 +23,9 @@ const core = process.env["PRECESS_WASM"] ?? here("../wasm/precess-simd128.wasm")
 const chromium = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
 
 const script = await bundle();
-/** @type {WorkModule} */
-const { prepare } = await import(`data:text/javascript;base64,${Buffer.from(script).toString("base64")}`);
+const { prepare } = /** @type {WorkModule} */ (
+  await import(`data:text/javascript;base64,${Buffer.from(script).toString("base64")}`)
+);
 
 /** @type {Map<string, () => Timing | Promise<Timing>>} */
 const places = new Map();
@@ -33,7 +35,7 @@ for (const [registers, lanes] of /** @type {const} */ ([
 ])) {
   const kind = lanes ? "lanes" : "plain";
   places.set(`native ${kind}`, () =>
-    JSON.parse(execFileSync(native, [scenario, points, registers], { maxBuffer: 1 << 28, encoding: "utf8" })),
+    read(execFileSync(native, [scenario, points, registers], { maxBuffer: 1 << 28, encoding: "utf8" })),
   );
   const work = await prepare(readFileSync(core), readFileSync(scenario, "utf8"), Number(points), lanes);
   places.set(`node ${kind}`, work);
@@ -72,6 +74,11 @@ for (const place of seconds.keys()) {
 }
 console.log(`the same bits in all of them, ${rounds} rounds of ${points} x ${points} starts`);
 
+/** A timing from JSON. */
+function read(/** @type {string} */ json) {
+  return /** @type {Timing} */ (JSON.parse(json));
+}
+
 /** The work and the facade as one module. */
 async function bundle() {
   const made = await build({
@@ -94,7 +101,12 @@ async function open() {
   let done;
   /** @type {() => void} */
   let ready = () => undefined;
-  const attending = new Promise((resolve) => (ready = () => resolve(undefined)));
+  const attending = new Promise(
+    (resolve) =>
+      (ready = () => {
+        resolve(undefined);
+      }),
+  );
   const page = `<!doctype html><script type="module">import { serve } from "/work.js"; serve(${points})</script>`;
   /** @type {Record<string, [string, string | Buffer]>} */
   const files = {
@@ -110,17 +122,21 @@ async function open() {
     } else if (request.url === "/done") {
       /** @type {Buffer[]} */
       const chunks = [];
-      request.on("data", (chunk) => chunks.push(chunk));
+      request.on("data", (/** @type {Buffer} */ chunk) => chunks.push(chunk));
       request.on("end", () => {
         response.end();
-        done?.(JSON.parse(Buffer.concat(chunks).toString()));
+        done?.(read(Buffer.concat(chunks).toString()));
       });
     } else {
       const [type, body] = files[request.url ?? ""] ?? ["text/plain", ""];
       response.setHeader("content-type", type).end(body);
     }
   });
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(undefined)));
+  await new Promise((resolve) =>
+    server.listen(0, "127.0.0.1", () => {
+      resolve(undefined);
+    }),
+  );
   const address = server.address();
   const port = address && typeof address === "object" ? address.port : 0;
   const profile = mkdtempSync(join(tmpdir(), "precess-bench-"));
@@ -132,21 +148,34 @@ async function open() {
     [...flags.split(" "), `--user-data-dir=${profile}`, `http://127.0.0.1:${port}/`],
     { stdio: "ignore" },
   );
-  await attending;
+  /** @type {Promise<never>} */
+  const gone = new Promise((_, reject) => {
+    for (const end of ["exit", "error"]) {
+      child.once(end, () => {
+        reject(new Error("the browser has ended"));
+      });
+    }
+  });
+  // Nobody may be waiting when it does.
+  gone.catch(() => undefined);
+  await Promise.race([attending, gone]);
   return {
     /** @returns {Promise<Timing>} */
     async ask(/** @type {string} */ wanted) {
-      while (!next) await new Promise((resolve) => setTimeout(resolve, 5));
+      while (!next) await Promise.race([gone, new Promise((resolve) => setTimeout(resolve, 5))]);
       const tell = next;
       next = undefined;
-      return new Promise((resolve) => {
+      /** @type {Promise<Timing>} */
+      const timing = new Promise((resolve) => {
         done = resolve;
         tell(wanted);
       });
+      return Promise.race([timing, gone]);
     },
     close() {
       child.on("exit", () => {
-        rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
+        // Its children write there for a moment longer.
+        void rm(profile, { recursive: true, force: true, maxRetries: 10 });
       });
       child.kill();
       server.close();
