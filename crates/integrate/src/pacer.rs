@@ -36,8 +36,7 @@ impl<S: Scalar> Pacer<S> {
     /// For a method of this order, and a first step.
     #[inline(always)]
     pub fn new(order: u32, first: S) -> Self {
-        let never = S::from(1.0).lt(S::from(0.0));
-        Self { controller: controller(order), h: first, previous: S::from(FORGET), rejected: never }
+        Self { controller: controller(order), h: first, previous: S::from(FORGET), rejected: !S::always() }
     }
 
     /// The next step from `t` towards the end: its length, and the time it ends.

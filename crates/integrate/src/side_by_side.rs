@@ -64,8 +64,7 @@ impl<S: Lanes> Kernel for SideBySide<'_, '_, S> {
 /// Where every number is finite.
 #[inline(always)]
 fn finite<S: Lanes>(y: &[S]) -> S::Mask {
-    let zero = S::from(0.0);
-    y.iter().fold(zero.le(zero), |all, x| all & x.abs().below(f64::INFINITY))
+    y.iter().fold(S::always(), |all, x| all & x.abs().below(f64::INFINITY))
 }
 
 impl<S: Lanes> SideBySide<'_, '_, S> {

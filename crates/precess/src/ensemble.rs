@@ -10,7 +10,7 @@ use crate::run::{Runner, pace};
 use crate::workers::Workers;
 use precess_integrate::{AnyMethod, Block, Failure, Pace, Samples, Steps};
 use precess_scalar::{Lanes, with_lanes};
-use precess_system::{AnySystem, Bind};
+use precess_system::{AnySystem, Bind, Field};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -41,7 +41,9 @@ struct Work<'a, S> {
     keep: Keep,
     /// The steps.
     pace: Pace,
-    number: std::marker::PhantomData<S>,
+    /// The system in lanes, and alone.
+    field: Box<dyn Field<S>>,
+    runner: Runner<'a>,
 }
 
 /// The states of some members, and their failures.
@@ -54,7 +56,8 @@ where
 {
     fn new(plan: &'a Plan, starts: &'a [f64], keep: Keep) -> Self {
         let samples = Samples::new(plan.until, plan.every);
-        Self { plan, starts, samples, keep, pace: pace(plan), number: std::marker::PhantomData }
+        let field = Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout);
+        Self { plan, starts, samples, keep, pace: pace(plan), field, runner: Runner::new(plan) }
     }
 
     fn full(&self) -> usize {
@@ -183,9 +186,8 @@ where
     /// False where an implicit step has not converged in some lane.
     fn in_lanes(&self, members: std::ops::Range<usize>, numbers: &mut [f64]) -> bool {
         let plan = self.plan;
-        let field = Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout);
         let block = Block {
-            field: &*field,
+            field: &*self.field,
             method: plan.method,
             options: plan.options,
             samples: self.samples,
@@ -201,9 +203,8 @@ where
 
     fn alone(&self, member: usize, numbers: &mut [f64]) -> Option<Failure> {
         numbers.fill(f64::NAN);
-        let runner = Runner::new(self.plan);
         let mut sample = 0;
-        let report = runner.drive(
+        let report = self.runner.drive(
             &self.starts[member * self.full()..][..self.full()],
             &mut |_, y| {
                 self.keep(sample, y, numbers);

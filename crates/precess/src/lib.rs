@@ -31,7 +31,7 @@ pub use describe::{Equations, equations, record};
 pub use drift::{Drift, departures, drifts};
 pub use ensemble::ensemble;
 pub use error::{Error, unknown};
-pub use grid::{Axis, grid};
+pub use grid::{Axis, combinations, grid, starts};
 pub use hash::hash;
 pub use members::{Keep, Members};
 pub use picture::picture;

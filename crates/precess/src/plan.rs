@@ -147,21 +147,6 @@ impl Plan {
         Given(names.zip(self.start.iter().copied()).collect())
     }
 
-    /// The full state at the start with some initial values in place of the plan's own.
-    ///
-    /// # Errors
-    /// One sentence, where such a start makes no sense.
-    pub fn start_at(&self, names: &[&str], values: &[f64]) -> Result<Vec<f64>, Error> {
-        let mut given = self.given();
-        for (name, value) in names.iter().zip(values) {
-            match given.0.iter_mut().find(|(n, _)| n == name) {
-                Some(entry) => entry.1 = *value,
-                None => given.0.push(((*name).into(), *value)),
-            }
-        }
-        self.system.start(&self.values, &self.layout, &given).map_err(Error::Input)
-    }
-
     fn check_method(&self) -> Result<(), Error> {
         let card = self.method.card();
         let id = self.card.id;

@@ -56,6 +56,12 @@ pub trait Scalar:
         kernel.run()
     }
 
+    /// The mask that holds everywhere.
+    #[inline(always)]
+    fn always() -> Self::Mask {
+        Self::from(0.0).le(Self::from(0.0))
+    }
+
     /// Whether the mask holds in every lane: the end of an iteration. A number that cannot branch says no.
     fn all(_mask: Self::Mask) -> bool {
         false

@@ -4,7 +4,7 @@ use crate::kept::Kept;
 use crate::run::plan;
 use crate::{memory, report};
 use precess::scalar::Isa;
-use precess::{Axis, Keep, Plan, Workers, grid};
+use precess::{Axis, Keep, Plan, Workers, combinations, grid};
 use std::ops::ControlFlow;
 
 /// What the host asks for.
@@ -58,17 +58,8 @@ fn list(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, Stri
         return Err(format!("{} numbers are no values of {}", numbers.len(), names.join(", ")));
     }
     fits(plan, request, (numbers.len() / names.len()) as f64)?;
-    let mut starts = vec![];
-    for values in numbers.chunks(names.len()) {
-        let points = names.iter().zip(values).map(|(name, &x)| Axis {
-            name: (*name).into(),
-            low: x,
-            high: x,
-            points: 1,
-        });
-        starts.extend(grid(plan, &points.collect::<Vec<_>>()).map_err(|e| e.to_string())?);
-    }
-    Ok(starts)
+    let rows = numbers.chunks(names.len()).map(<[f64]>::to_vec);
+    precess::starts(plan, names, rows).map_err(|e| e.to_string())
 }
 
 /// Starts on a tile of a grid. The first axis runs fastest.
@@ -94,18 +85,11 @@ fn tile(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, Stri
         }
     }
     fits(plan, request, sides.iter().map(|side| side.count as f64).product())?;
-    let members = sides.iter().map(|side| side.count).product();
-    let mut starts = Vec::with_capacity(members * plan.start.len());
-    let mut values = vec![0.0; sides.len()];
-    for member in 0..members {
-        let mut rest = member;
-        for (value, Side { axis, first, stride, count }) in values.iter_mut().zip(&sides) {
-            *value = axis.value(first + stride * (rest % count));
-            rest /= count;
-        }
-        starts.extend(plan.start_at(names, &values).map_err(|e| e.to_string())?);
-    }
-    Ok(starts)
+    let values = |Side { axis, first, stride, count }: &Side| {
+        (0..*count).map(|k| axis.value(first + stride * k)).collect()
+    };
+    let sides: Vec<Vec<f64>> = sides.iter().map(values).collect();
+    precess::starts(plan, names, combinations(&sides)).map_err(|e| e.to_string())
 }
 
 fn side(name: &str, &[low, high, points, first, stride, count]: &[f64; 6]) -> Result<Side, String> {

@@ -10,37 +10,8 @@ const scene: Flat = {
       pen.circle(x, y, 0.07, colour, 3);
       pen.ball(x, y, 5, colour);
     });
-    pen.line(
-      [
-        [-0.03, 0],
-        [0.03, 0],
-      ],
-      1,
-      pen.ink.faint,
-    );
-    pen.line(
-      [
-        [0, -0.03],
-        [0, 0.03],
-      ],
-      1,
-      pen.ink.faint,
-    );
-    pen.trail(
-      look,
-      (k) => look.at("x", k),
-      (k) => look.at("y", k),
-      sample,
-    );
-    pen.line(
-      [
-        [0, 0],
-        [look.at("x", sample), look.at("y", sample)],
-      ],
-      0.8,
-      pen.ink.faint,
-    );
-    pen.ball(look.at("x", sample), look.at("y", sample), 10);
+    pen.cross(0.03, 1);
+    pen.bob(look, sample, 10, 0.8, pen.ink.faint);
   },
   drag: (_look, _sample, x, y) => ({ x, y, x_dot: 0, y_dot: 0 }),
 };

@@ -52,7 +52,7 @@ impl Method for Newmark {
             start: zeros.clone(),
             end: zeros.clone(),
             next: zeros,
-            moving: vec![S::from(0.0).le(S::from(0.0)); shape.rows],
+            moving: vec![S::always(); shape.rows],
             change: vec![S::from(0.0); shape.rows],
             size: vec![S::from(0.0); shape.rows],
             row: shape.row_of_each(),
@@ -89,7 +89,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         field.rate(t, y, &mut self.start);
         self.evaluations += 1;
         out.copy_from_slice(y);
-        self.moving.fill(S::from(0.0).le(S::from(0.0)));
+        self.moving.fill(S::always());
         for _ in 0..MOST_ITERATIONS {
             field.rate(t + h, out, &mut self.end);
             self.evaluations += 1;

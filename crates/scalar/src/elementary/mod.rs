@@ -2,7 +2,7 @@
 //!
 //! Nothing but `+ - * /`, square roots, comparisons and operations on the bits of a number enters them, each
 //! rounded once by IEEE 754; no fused multiply-add, no mathematics of the platform. They have no branches
-//! (but for [`sin_cos`] and [`tan`] beyond `2^18`), so that a loop over lanes becomes vector instructions.
+//! (but for [`sin_cos`] and [`tan`] beyond `2^18`), so that all lanes of a register go through them together.
 //!
 //! Errors are in units of the last place of the exact result. "Found" is the worst of some millions of
 //! arguments of all exponents, dense where a function is hard; tests hold every function to its bound.
@@ -25,9 +25,6 @@
 //! | [`powi`]    | n     |       | as products            | relative error at most `n 2^-53`           |
 //!
 //! Results at zeros, infinities and NaN are those of C99, Annex F. A NaN has no defined sign or payload.
-
-// A lazy operator is a branch; none is wanted here.
-#![allow(clippy::needless_bitwise_bool, clippy::manual_range_contains)]
 
 mod exact;
 mod exp;

@@ -124,4 +124,34 @@ export class Pen {
     }
     pen.globalAlpha = 1;
   }
+
+  /** A mass seen from above: where it came from, the thread to the centre, the mass. */
+  bob(look: Look, sample: number, radius: number, width: number, thread = this.ink.ink): void {
+    const at = (k: number): [number, number] => [look.at("x", k), look.at("y", k)];
+    this.trail(
+      look,
+      (k) => at(k)[0],
+      (k) => at(k)[1],
+      sample,
+    );
+    this.line([[0, 0], at(sample)], width, thread);
+    this.ball(...at(sample), radius);
+  }
+
+  /** The centre of a figure: two thin lines, `half` long to each side. */
+  cross(half: number, width: number, dash: number[] = []): void {
+    for (const [x, y] of [
+      [half, 0],
+      [0, half],
+    ] as const)
+      this.line(
+        [
+          [-x, -y],
+          [x, y],
+        ],
+        width,
+        this.ink.faint,
+        dash,
+      );
+  }
 }
