@@ -53,7 +53,7 @@ fn within(quantity: &Quantity, x: f64) -> Result<(), Error> {
 pub fn starts(
     plan: &Plan,
     names: &[&str],
-    rows: impl IntoIterator<Item = Vec<f64>>,
+    rows: &mut dyn Iterator<Item = Vec<f64>>,
 ) -> Result<Vec<f64>, Error> {
     let quantities = quantities(plan, names.iter().copied())?;
     let mut given = plan.given();
@@ -110,5 +110,5 @@ pub fn grid(plan: &Plan, axes: &[Axis]) -> Result<Vec<f64>, Error> {
     let names: Vec<&str> = axes.iter().map(|axis| axis.name.as_str()).collect();
     let sides: Vec<Vec<f64>> =
         axes.iter().map(|axis| (0..axis.points).map(|k| axis.value(k)).collect()).collect();
-    starts(plan, &names, combinations(&sides))
+    starts(plan, &names, &mut combinations(&sides))
 }

@@ -58,8 +58,8 @@ fn list(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, Stri
         return Err(format!("{} numbers are no values of {}", numbers.len(), names.join(", ")));
     }
     fits(plan, request, (numbers.len() / names.len()) as f64)?;
-    let rows = numbers.chunks(names.len()).map(<[f64]>::to_vec);
-    precess::starts(plan, names, rows).map_err(|e| e.to_string())
+    let mut rows = numbers.chunks(names.len()).map(<[f64]>::to_vec);
+    precess::starts(plan, names, &mut rows).map_err(|e| e.to_string())
 }
 
 /// Starts on a tile of a grid. The first axis runs fastest.
@@ -89,7 +89,7 @@ fn tile(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, Stri
         (0..*count).map(|k| axis.value(first + stride * k)).collect()
     };
     let sides: Vec<Vec<f64>> = sides.iter().map(values).collect();
-    precess::starts(plan, names, combinations(&sides)).map_err(|e| e.to_string())
+    precess::starts(plan, names, &mut combinations(&sides)).map_err(|e| e.to_string())
 }
 
 fn side(name: &str, &[low, high, points, first, stride, count]: &[f64; 6]) -> Result<Side, String> {
