@@ -23,7 +23,7 @@ mod yoshida8;
 use crate::AnyMethod;
 
 /// Every method, in the order in which a catalogue shows them.
-pub const METHODS: &[&dyn AnyMethod] = &[
+pub static METHODS: &[&dyn AnyMethod] = &[
     &euler::Euler,
     &euler_taylor::EulerTaylor,
     &euler_cromer::EulerCromer,
