@@ -1,17 +1,19 @@
 //! A chain of point masses on massless rods, hung from a pivot, in a vertical plane.
 //!
-//! Rod i, of length l_i, ends at mass m_i under the angle theta_i from the downward vertical; u_i is its direction and t_i
-//! the perpendicular. It pulls with the tension T_i, so that mass i has the acceleration
+//! Rod i has the length `l_i`, ends at the mass `m_i` and points along `u_i`, at the angle `theta_i` from the downward
+//! vertical; `t_i` is perpendicular. With the tensions `T_i` the masses have the accelerations
 //!
 //!     a_i = g + (T_{i+1} u_{i+1} - T_i u_i) / m_i
 //!
-//! and the rods keep their lengths, u_i . (a_i - a_{i-1}) = -l_i theta_i'^2: a tridiagonal system for the tensions,
+//! and the rods keep their lengths, which makes a tridiagonal system for the tensions:
 //!
+//!     u_i . (a_i - a_{i-1}) = -l_i theta_i'^2
 //!     (1/m_i + 1/m_{i-1}) T_i - (u_i.u_{i+1} / m_i) T_{i+1} - (u_i.u_{i-1} / m_{i-1}) T_{i-1} = l_i theta_i'^2
+//!     l_i theta_i'' = t_i . (a_i - a_{i-1})
 //!
-//! where the pivot has 1/m_0 = 0 and the weight g cos theta_1 enters the first equation alone. Then
-//! l_i theta_i'' = t_i . (a_i - a_{i-1}). The work grows with the number of rods, not with its cube as it does for the
-//! Lagrange equations, against which the laws hold this form. Two rods are the `double_pendulum`.
+//! The pivot counts as a mass without bounds, and the weight, g times the cosine of the first angle, enters the first
+//! equation alone. The work grows with the number of rods, not with its cube as it does for the Lagrange equations,
+//! against which the laws hold this form. Two rods are the `double_pendulum`.
 
 use precess_scalar::Scalar;
 use precess_system::{
