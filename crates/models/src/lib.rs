@@ -10,7 +10,9 @@ mod waterwheels;
 use precess_system::AnySystem;
 
 /// Every system, in the order in which a catalogue shows them.
-pub const ALL: &[&dyn AnySystem] = &[
+///
+/// A static, not a constant: every crate that uses a constant would compile all systems once more.
+pub static ALL: &[&dyn AnySystem] = &[
     &oscillators::harmonic_oscillator::HarmonicOscillator,
     &oscillators::spring::Spring,
     &oscillators::planar_oscillator::PlanarOscillator,
