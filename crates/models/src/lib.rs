@@ -1,6 +1,8 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
+mod complex;
 mod gravity;
+mod linear;
 mod oscillators;
 mod pendulums;
 mod rotation;

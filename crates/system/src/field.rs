@@ -17,6 +17,9 @@ pub trait Field<S: Scalar>: Send + Sync {
     fn observe(&self, t: S, y: &[S], out: &mut [S]);
     /// The Lagrangian, where there is one.
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S>;
+    /// The closed form: the full state at time `t` from the one at time `from`, where the system is solvable. There may
+    /// be several rows.
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]);
     /// The event functions.
     fn crossings(&self, t: S, y: &[S], out: &mut [S]);
     /// Applies an event to the state.
@@ -63,6 +66,39 @@ impl<M: System, S: Scalar, const WHAT: u8> Kernel for Evaluation<'_, M, S, WHAT>
             RATE => bound.rates(*t, y, out),
             OBSERVABLES => bound.system.observe(&bound.state(*t, y), out),
             _ => bound.system.crossings(&bound.state(*t, y), out),
+        }
+    }
+}
+
+/// The closed form, compiled for the instructions of its number.
+struct Solution<'a, M, S> {
+    bound: &'a Bound<M, S>,
+    from: &'a S,
+    start: &'a [S],
+    t: &'a S,
+    y: &'a mut [S],
+}
+
+impl<M: System, S: Scalar> Kernel for Solution<'_, M, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { bound, from, start, t, y } = self;
+        let shape = &bound.shape;
+        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let rows = y.len() / shape.full();
+        let (q, rest) = start.split_at(rows * coordinates);
+        let (v, m) = rest.split_at(rows * second);
+        let (q_out, rest) = y.split_at_mut(rows * coordinates);
+        let (v_out, m_out) = rest.split_at_mut(rows * second);
+        m_out.copy_from_slice(m);
+        for row in 0..rows {
+            let (of_q, of_v) = (row * coordinates..(row + 1) * coordinates, row * second..(row + 1) * second);
+            let (coordinates, velocities) = (&q[of_q.clone()], &v[of_v.clone()]);
+            let modes = &m[row * modes..][..modes];
+            let state = State { t: *from, coordinates, velocities, modes, values: &bound.values };
+            bound.system.solution(&state, *t, &mut q_out[of_q], &mut v_out[of_v]);
         }
     }
 }
@@ -125,6 +161,10 @@ where
 
     fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
         self.evaluate::<CROSSINGS>(&t, y, out);
+    }
+
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        S::enter(Solution { bound: self, from: &from, start, t: &t, y });
     }
 
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S> {
@@ -201,6 +241,11 @@ pub trait AnySystem:
     /// # Errors
     /// One sentence, where the starts or the parameters make no sense together.
     fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String>;
+    /// See [`System::solvable`]; from a full state.
+    ///
+    /// # Errors
+    /// One sentence: why the motion has no closed form.
+    fn solvable(&self, values: &Values<f64>, layout: &Layout, start: &[f64]) -> Result<(), String>;
 }
 
 impl<M: System> AnySystem for M {
@@ -210,6 +255,11 @@ impl<M: System> AnySystem for M {
 
     fn layout(&self, values: &Values<f64>, given: &Given) -> Layout {
         System::layout(self, values, given)
+    }
+
+    fn solvable(&self, values: &Values<f64>, layout: &Layout, start: &[f64]) -> Result<(), String> {
+        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        System::solvable(self, &bound.state(0.0, start))
     }
 
     fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String> {

@@ -32,6 +32,18 @@ pub trait System: Clone + Send + Sync + 'static {
         None
     }
 
+    /// Whether the motion from this start has a closed form: [`solution`](Self::solution).
+    ///
+    /// # Errors
+    /// One sentence: why it has none.
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Err("no closed form of its motion is known here".into())
+    }
+
+    /// The closed form: coordinates `q` and velocities `v` at time `t`, from the state `start` at the time `start.t`,
+    /// which may be the later one. Asked of solvable systems only.
+    fn solution<S: Scalar>(&self, _start: &State<S>, _t: S, _q: &mut [S], _v: &mut [S]) {}
+
     /// The event functions, in the order of the card.
     fn crossings<S: Scalar>(&self, _s: &State<S>, _out: &mut [S]) {}
 

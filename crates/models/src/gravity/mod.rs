@@ -1,2 +1,3 @@
+mod kepler;
 pub mod n_body;
 mod n_body_card;

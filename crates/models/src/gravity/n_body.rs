@@ -5,7 +5,7 @@
 //! (P, section 9 and exercise 9.) Total energy, momentum and angular momentum stay constant. The bodies move in
 //! space as soon as a `z` is given.
 
-use super::n_body_card;
+use super::{kepler, n_body_card};
 use crate::rotation::cross;
 use precess_scalar::Scalar;
 use precess_system::{Card, Given, Layout, State, System, Values};
@@ -92,6 +92,24 @@ impl System for NBody {
         }
     }
 
+    fn solvable(&self, start: &State<f64>) -> Result<(), String> {
+        let [k, softening] = start.p();
+        match () {
+            () if start.list(0).len() != 2 => Err("only two bodies move on orbits of a closed form".into()),
+            () if softening != 0.0 => Err("two bodies have a closed form without softening only".into()),
+            () if k < 0.0 => Err("two bodies that repel one another have no closed form here".into()),
+            () if kepler::falls(start) => {
+                Err("the bodies fall straight into one another: no orbit goes on after that".into())
+            }
+            () => Ok(()),
+        }
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        kepler::two_bodies(start, t, q, v);
+    }
+
     #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);
@@ -112,7 +130,7 @@ fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softeni
 }
 
 #[inline(always)]
-fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
+pub(super) fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
     let own = &numbers[body * dimensions..][..dimensions];
     std::array::from_fn(|axis| own.get(axis).copied().unwrap_or(S::from(0.0)))
 }

@@ -8,5 +8,6 @@ pub mod magnetic_pendulum;
 pub mod n_pendulum;
 pub mod pendulum;
 pub mod spherical_pendulum;
+mod swing;
 pub mod swinging_atwood;
 pub mod wheel_pendulum;

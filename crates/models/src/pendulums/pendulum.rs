@@ -6,6 +6,7 @@
 //! friction; the rod pulls with m l theta'^2 + m g cos theta, and a string in its place goes slack where
 //! that vanishes.
 
+use super::swing::swing;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -56,6 +57,17 @@ impl System for Pendulum {
         let potential = -(m * g * l * theta.cos());
         let tension = m * l * w * w + m * g * theta.cos();
         out.copy_from_slice(&[kinetic + potential, kinetic, potential, tension]);
+    }
+
+    fn solvable(&self, start: &State<f64>) -> Result<(), String> {
+        let [_m, _l, _g, friction @ ..] = start.p::<6>();
+        if friction == [0.0; 3] { Ok(()) } else { Err("the pendulum has a closed form without friction only".into()) }
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([theta], [w], [_m, l, g]) = (start.q(), start.v(), start.p());
+        [q[0], v[0]] = swing(g / l, t - start.t, [theta, w]);
     }
 
     #[inline(always)]
