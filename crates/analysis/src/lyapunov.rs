@@ -49,8 +49,7 @@ const FINEST: u32 = 40;
 /// Where the integration cannot go on.
 pub fn lyapunov(flow: &Flow, start: &[f64], until: f64) -> Result<Lyapunov, Stopped> {
     let size = flow.size();
-    let unit = |k: usize| (0..size).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
-    let mut frame = Frame { state: start.to_vec(), vectors: (0..size).map(unit).collect(), halvings: 6 };
+    let mut frame = Frame { state: start.to_vec(), vectors: skew(size), halvings: 6 };
     let batch = until / BATCHES as f64;
     let mut rates: Vec<Vec<f64>> = vec![];
     let mut result = Lyapunov { history: vec![vec![]; size], ..Lyapunov::default() };
@@ -68,6 +67,18 @@ pub fn lyapunov(flow: &Flow, start: &[f64], until: f64) -> Result<Lyapunov, Stop
     let of = |i: usize| interval(&rates[LEFT_OUT..].iter().map(|r| r[i]).collect::<Vec<_>>());
     result.exponents = (0..size).map(of).collect();
     Ok(result)
+}
+
+/// An orthonormal frame along no axis: one that begins in a direction which the equations keep to themselves would
+/// never turn out of it, and the exponents would not come in order.
+fn skew(size: usize) -> Vec<Vec<f64>> {
+    let part = |n: usize| (n as f64 * 0.618033988749895).fract() - 0.5;
+    let vector = |k: usize| {
+        (0..size).map(|i| if i == k { 1.0 } else { 0.0 } + part((i + 1) * (k + 2)) * 0.5).collect()
+    };
+    let mut vectors: Vec<Vec<f64>> = (0..size).map(vector).collect();
+    orthonormalise(&mut vectors);
+    vectors
 }
 
 /// Mean and half-width of the 95 % interval of the batches' rates.
