@@ -1,6 +1,8 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
+mod attitude;
 mod gravity;
+mod inertia;
 mod oscillators;
 mod pendulums;
 mod rotation;
@@ -18,6 +20,10 @@ pub const ALL: &[&dyn AnySystem] = &[
     &pendulums::noria::Noria,
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
+    &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::symmetric_body::SymmetricBody,
+    &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
+    &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
 ];
