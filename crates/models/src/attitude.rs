@@ -88,9 +88,11 @@ pub(crate) fn start(given: &Given, y: &mut [f64]) -> Result<(), String> {
     y[..4].copy_from_slice(&attitude);
     let Some(rates) = group(given, RATES) else { return Ok(()) };
     if group(given, OMEGA).is_some() {
-        return Err("the angular velocity is given twice: as omega1, omega2, omega3 and as rates of the Euler \
+        return Err(
+            "the angular velocity is given twice: as omega1, omega2, omega3 and as rates of the Euler \
                     angles"
-            .into());
+                .into(),
+        );
     }
     let angles = angles.unwrap_or_else(|| euler(attitude, [0.0; 3])[0]);
     y[4..COORDINATES].copy_from_slice(&omega_from_rates(angles, rates));

@@ -1,6 +1,6 @@
 //! Matrices of inertia: transfer to another point, and the equations they stand in.
 
-use crate::rotation::{Vector, cross, dot};
+use crate::rotation::{Vector, dot};
 use precess_scalar::Scalar;
 
 /// A matrix, row by row.

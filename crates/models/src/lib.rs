@@ -26,6 +26,5 @@ pub static ALL: &[&dyn AnySystem] = &[
     &tops::symmetric_body::SymmetricBody,
     &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
-    &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
 ];

@@ -1,7 +1,7 @@
 //! The card that the three formulations of T's simple gyroscope share, and what they observe.
 
 use super::euler_angles::{axis, omega};
-use crate::rotation::{cross, dot};
+use crate::rotation::dot;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, Values, number};
 use std::f64::consts::PI;
@@ -20,7 +20,9 @@ const MOMENTS: [&str; 3] = ["moment1", "moment2", "moment3"];
 /// Mass, inertia, arm, gravity.
 pub(super) fn body(card: Card) -> Card {
     card.parameter(number("m", "kg", MASS, "mass", "masse").positive())
-        .parameter(number("i1", "kg m^2", I1, "transverse inertia at G", "inertie transverse en G").positive())
+        .parameter(
+            number("i1", "kg m^2", I1, "transverse inertia at G", "inertie transverse en G").positive(),
+        )
         .parameter(number("i3", "kg m^2", I3, "inertia about the axis", "inertie axiale").positive())
         .parameter(number("d", "m", D, "distance from A to G", "distance de A à G"))
         .parameter(number("g", "m/s^2", 9.81, "gravity", "pesanteur"))
@@ -57,7 +59,6 @@ pub(super) fn observables(card: Card, applied: bool) -> Card {
     super::euler_angles::omega_and_axis(card)
         .signal("L_A", "kg m^2/s", "angular momentum at A", "moment cinétique en A")
         .signal("L_G", "kg m^2/s", "angular momentum at G", "moment cinétique en G")
-        .signal("triple", "J", "axis . (omega x L_A)", "axe . (omega x L_A)")
         .signal("effective_potential", "J", "effective potential V(theta)", "potentiel effectif V(theta)")
         .signal("nutation_energy", "J", "energy of the nutation", "énergie de la nutation")
 }
@@ -98,7 +99,6 @@ pub(super) fn observe_at<S: Scalar>(
     let [o1, o2, o3] = omega;
     let at_a: [S; 3] = std::array::from_fn(|i| inertia[i] * omega[i]);
     let at_g = [i1 * o1, i1 * o2, i3 * o3];
-    let [zero, one] = [0.0, 1.0].map(S::from);
     let (kinetic, potential) = (dot(at_a, omega) * 0.5, m * g * d * cos);
     // T's (21): 2E = I_A1 theta'^2 + V(theta); here half of V, an energy.
     let nutation = inertia[0] * o1 * o1 * 0.5;
@@ -107,9 +107,8 @@ pub(super) fn observe_at<S: Scalar>(
     out[8..11].copy_from_slice(&axis(s));
     out[11] = dot(at_a, at_a).sqrt();
     out[12] = dot(at_g, at_g).sqrt();
-    out[13] = dot([zero, zero, one], cross(omega, at_a));
-    out[14] = (at_a[1] * o2 + at_a[2] * o3) * 0.5 + potential;
-    out[15] = nutation;
+    out[13] = (at_a[1] * o2 + at_a[2] * o3) * 0.5 + potential;
+    out[14] = nutation;
 }
 
 /// The share of omega3 that precesses where the axis passes through the vertical, i3 / (2 I_A1).

@@ -22,7 +22,9 @@ use crate::inertia::{Matrix, apply, diagonal, solve, transferred};
 use crate::rotation::{cross, dot, quaternion_rate, to_space};
 use crate::tops::gyroscope_card::{D, I1, I3, MASS};
 use precess_scalar::Scalar;
-use precess_system::{Card, Given, Layout, ObservableKind, State, System, Values, card, choice, list, number};
+use precess_system::{
+    Card, Given, Layout, ObservableKind, State, System, Values, card, choice, list, number,
+};
 
 /// See the module.
 #[derive(Clone)]
@@ -56,7 +58,10 @@ fn is_symmetric(values: &Values<f64>) -> bool {
 
 fn is_kovalevskaya(values: &Values<f64>) -> bool {
     let n = &values.numbers;
-    values.choices[0] == 0 && n[2] == n[3] && n[2] == 2.0 * n[4] && matches!(values.lists[0].items[..], [_, _, 0.0])
+    values.choices[0] == 0
+        && n[2] == n[3]
+        && n[2] == 2.0 * n[4]
+        && matches!(values.lists[0].items[..], [_, _, 0.0])
 }
 
 impl System for HeavyTop {
@@ -175,7 +180,8 @@ impl System for HeavyTop {
         out[1] = dot(momentum, gamma);
         out[2] = momentum[2];
         out[3] = (square[0] - moment[0]).squared() + (square[1] - moment[1]).squared();
-        out[4] = omega[2] * (omega[0] * omega[0] + omega[1] * omega[1]) + weight * centre[0] * omega[0] * gamma[2];
+        out[4] =
+            omega[2] * (omega[0] * omega[0] + omega[1] * omega[1]) + weight * centre[0] * omega[0] * gamma[2];
         let [qw, qx, qy, qz] = attitude.map(S::squared);
         out[5] = (qw + qx + qy + qz).sqrt();
         out[6..8].copy_from_slice(&[kinetic, potential]);

@@ -5,7 +5,6 @@ pub mod gyroscope;
 mod gyroscope_card;
 pub mod gyroscope_rolling;
 pub mod heavy_top;
-pub mod rolling_top;
 pub mod symmetric_body;
 pub mod tippe_top_rolling;
 mod truncated_sphere;

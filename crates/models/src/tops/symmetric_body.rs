@@ -9,7 +9,7 @@
 
 use super::euler_angles::{self, accelerations, axis, omega, start_on_the_vertical, to_space};
 use super::gyroscope_card::{I1, I3};
-use crate::rotation::{cross, dot};
+use crate::rotation::dot;
 use precess_scalar::Scalar;
 use precess_system::{Card, Given, State, System, Values, card, number};
 
@@ -56,7 +56,6 @@ impl System for SymmetricBody {
         let card = momentum(card, "L_z", "angular momentum along z", "moment cinétique selon z");
         let card = momentum(card, "L", "magnitude of the angular momentum", "norme du moment cinétique");
         euler_angles::omega_and_axis(card)
-            .signal("triple", "J", "axis . (omega x L)", "axe . (omega x L)")
             .path_view("axis_x", "axis_y")
             .time_view(&["psi", "phi"])
             .time_view(&["theta"])
@@ -79,14 +78,12 @@ impl System for SymmetricBody {
     #[inline(always)]
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let (omega, momentum) = (omega(s), momentum(s));
-        let [zero, one] = [0.0, 1.0].map(S::from);
         out[0] = dot(momentum, omega) * 0.5;
         out[1] = momentum[2];
         out[2..5].copy_from_slice(&to_space(s, momentum));
         out[5] = dot(momentum, momentum).sqrt();
         out[6..9].copy_from_slice(&omega);
         out[9..12].copy_from_slice(&axis(s));
-        out[12] = dot([zero, zero, one], cross(omega, momentum));
     }
 
     #[inline(always)]

@@ -6,7 +6,8 @@ use std::f64::consts::PI;
 const DENSITY: f64 = 700.0;
 pub(super) const RADIUS: f64 = 0.02;
 const CUT: f64 = 0.015;
-pub(super) const MASS: f64 = PI * DENSITY * (4.0 / 3.0 * RADIUS * RADIUS * RADIUS - CUT * CUT * (RADIUS - CUT / 3.0));
+pub(super) const MASS: f64 =
+    PI * DENSITY * (4.0 / 3.0 * RADIUS * RADIUS * RADIUS - CUT * CUT * (RADIUS - CUT / 3.0));
 pub(super) const ALPHA: f64 = 3.0 * CUT * CUT / (4.0 * RADIUS * (RADIUS + CUT));
 const REST: f64 = 2.0 * RADIUS - CUT;
 pub(super) const I3: f64 = PI / 30.0
