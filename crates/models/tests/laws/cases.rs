@@ -27,7 +27,7 @@ pub fn cases(system: Any) -> Result<Vec<Vec<Case>>, String> {
     for (list, parameter) in longer.lists.iter_mut().zip(longest) {
         // A vector has three components and no more.
         if list.items.len() / list.width + 2 <= parameter.longest {
-            let more = list.items[..2 * list.width].to_vec();
+            let more: Vec<f64> = list.items.iter().copied().cycle().take(2 * list.width).collect();
             list.items.extend(more);
         }
     }
