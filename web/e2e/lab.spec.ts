@@ -222,3 +222,18 @@ test.describe("reduced motion", () => {
     await expect(page.locator("[data-play]")).toHaveAccessibleName("Play");
   });
 });
+
+test("a map of starts fills itself, coarse first, and a click opens the run from there", async ({ page }) => {
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  await page.locator("[data-map]").click();
+  const picture = page.locator("[data-map-picture]");
+  await expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
+  const { violations } = await new AxeBuilder({ page }).include("main").analyze();
+  expect(violations.map(({ id, nodes }) => [id, nodes.map((node) => node.html)])).toEqual([]);
+  await picture.click({ position: { x: 60, y: 60 } });
+  await expect(page.locator("[data-field=x]")).toHaveValue(/^-\d/);
+  await expect(page.locator("[data-field=y]")).toHaveValue(/^\d/);
+  // A click changes the run, not the map.
+  await expect(picture).toHaveAttribute("data-done", String(96 ** 2));
+});
