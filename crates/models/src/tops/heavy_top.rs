@@ -13,7 +13,7 @@
 //!     | (omega1 + i omega2)^2 - (m g / i3) (c1 + i c2) (gamma1 + i gamma2) |^2
 //!
 //! With `i1 = i2 = 4 i3`, the centre on axis 1 and L_Az = 0 Goryachev and Chaplygin found
-//! `omega3 (omega1^2 + omega2^2) + (m g / i3) c1 omega1 gamma3`. Any other top is chaotic somewhere. (Landau and Lifshitz,
+//! `omega3 (omega1^2 + omega2^2) - (m g / i3) c1 omega1 gamma3`. Any other top is chaotic somewhere. (Landau and Lifshitz,
 //! Mechanics, paragraph 35; S. Kowalevski, Acta Math. 12, 177, 1889.) The signs are those of a centre *above*: they are checked
 //! by dual numbers.
 
@@ -181,7 +181,7 @@ impl System for HeavyTop {
         out[2] = momentum[2];
         out[3] = (square[0] - moment[0]).squared() + (square[1] - moment[1]).squared();
         out[4] =
-            omega[2] * (omega[0] * omega[0] + omega[1] * omega[1]) + weight * centre[0] * omega[0] * gamma[2];
+            omega[2] * (omega[0] * omega[0] + omega[1] * omega[1]) - weight * centre[0] * omega[0] * gamma[2];
         let [qw, qx, qy, qz] = attitude.map(S::squared);
         out[5] = (qw + qx + qy + qz).sqrt();
         out[6..8].copy_from_slice(&[kinetic, potential]);
