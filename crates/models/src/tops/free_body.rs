@@ -8,7 +8,7 @@
 //! unstable. Where two moments are equal this is the free symmetric top.
 //!
 //! The tip of omega draws the *polhode* on the body's ellipsoid of inertia (the coordinates omega1..3) and the
-//! *herpolhode* on the invariable plane, which the ellipsoid rolls on (herpolhode_x, herpolhode_y; T 7.1 has the two
+//! *herpolhode* on the invariable plane, which the ellipsoid rolls on (`herpolhode_x`, `herpolhode_y`; T 7.1 has the two
 //! names the other way round).
 //!
 //! The length of the quaternion is constant too, and stays 1 but for the error of the method. Starts may be

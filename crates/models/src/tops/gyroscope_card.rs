@@ -111,7 +111,7 @@ pub(super) fn observe_at<S: Scalar>(
     out[14] = nutation;
 }
 
-/// The share of omega3 that precesses where the axis passes through the vertical, i3 / (2 I_A1).
+/// The share of omega3 that precesses where the axis passes through the vertical, i3 / (2 `I_A1`).
 pub(super) fn share_on_the_vertical(values: &Values<f64>) -> f64 {
     let [m, i1, i3, d] = *values.numbers.first_chunk().expect("the card begins with the body");
     i3 / (2.0 * (i1 + m * d * d))

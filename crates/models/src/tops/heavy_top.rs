@@ -6,13 +6,13 @@
 //! `AG` is `centre`, in body axes. The moments i1, i2, i3 are those about A, as in the classical cases, or those about G
 //! (`about = centre_of_mass`), which are carried to A by Huygens and Steiner.
 //!
-//! Energy and L_Az are always constant. A third constant, which makes the motion regular, is known for the tops of
-//! Euler (no weight: L), of Lagrange (`i1 = i2`, centre on axis 3: L_A3), and of Kovalevskaya (`i1 = i2 = 2 i3`, centre across
+//! Energy and `L_Az` are always constant. A third constant, which makes the motion regular, is known for the tops of
+//! Euler (no weight: L), of Lagrange (`i1 = i2`, centre on axis 3: `L_A3`), and of Kovalevskaya (`i1 = i2 = 2 i3`, centre across
 //! axis 3):
 //!
 //!     | (omega1 + i omega2)^2 - (m g / i3) (c1 + i c2) (gamma1 + i gamma2) |^2
 //!
-//! With `i1 = i2 = 4 i3`, the centre on axis 1 and L_Az = 0 Goryachev and Chaplygin found
+//! With `i1 = i2 = 4 i3`, the centre on axis 1 and `L_Az` = 0 Goryachev and Chaplygin found
 //! `omega3 (omega1^2 + omega2^2) - (m g / i3) c1 omega1 gamma3`. Any other top is chaotic somewhere. (Landau and Lifshitz,
 //! Mechanics, paragraph 35; S. Kowalevski, Acta Math. 12, 177, 1889.) The signs are those of a centre *above*: they are checked
 //! by dual numbers.
@@ -140,7 +140,7 @@ impl System for HeavyTop {
             .run(2.0, 1e-4)
     }
 
-    /// L_A3 and Kovalevskaya's constant are constant for their tops alone.
+    /// `L_A3` and Kovalevskaya's constant are constant for their tops alone.
     fn layout(&self, values: &Values<f64>, _given: &Given) -> Layout {
         let mut layout = Layout::of(&self.card());
         if !is_symmetric(values) {
