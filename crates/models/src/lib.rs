@@ -3,6 +3,9 @@
 mod complex;
 mod gravity;
 mod linear;
+mod attitude;
+mod gravity;
+mod inertia;
 mod oscillators;
 mod pendulums;
 mod rotation;
@@ -44,6 +47,9 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
+    &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::symmetric_body::SymmetricBody,
+    &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
     &tops::free_body::FreeBody,
 ];

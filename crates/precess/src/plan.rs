@@ -119,6 +119,12 @@ impl Plan {
         };
         plan.check_method()?;
         plan.read_run(&scenario.run)?;
+        if plan.method.card().needs == Needs::ClosedForm && !scenario.events.is_empty() {
+            return input(format!(
+                "method '{}' jumps from sample to sample and meets no event on the way: watch them by dop853",
+                plan.method.card().id
+            ));
+        }
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
         plan.panels = scenario.figures.iter().map(|f| resolve::panel(&plan, f)).collect::<Result<_, _>>()?;
         Ok(plan)
@@ -150,8 +156,11 @@ impl Plan {
     fn check_method(&self) -> Result<(), Error> {
         let card = self.method.card();
         let id = self.card.id;
-        if card.needs == Needs::Any || self.structure.separable() {
-            return Ok(());
+        match card.needs {
+            Needs::Any => return Ok(()),
+            Needs::ClosedForm => return self.check_closed_form(),
+            Needs::Separable if self.structure.separable() => return Ok(()),
+            Needs::Separable => {}
         }
         let why = if self.structure.hybrid {
             format!("{id} has events")
@@ -167,6 +176,16 @@ impl Plan {
             card.id,
             fits.join(", ")
         ))
+    }
+
+    fn check_closed_form(&self) -> Result<(), Error> {
+        let (id, method) = (self.card.id, self.method.card().id);
+        let why = match self.system.solvable(&self.values, &self.layout, &self.start) {
+            _ if self.structure.hybrid => "the system has events".into(),
+            Err(why) => why,
+            Ok(()) => return Ok(()),
+        };
+        input(format!("method '{method}' needs a closed form of {id}, and {why}: dop853 integrates it"))
     }
 
     fn read_run(&mut self, run: &[(String, Value)]) -> Result<(), Error> {
@@ -213,7 +232,12 @@ impl Plan {
             }
             Kind::Adaptive => tolerances(rtol.unwrap_or(1e-10), atol.unwrap_or(1e-10))?,
         };
-        self.check_times(every)
+        self.check_times(every)?;
+        if method.needs == Needs::ClosedForm && dt.is_none() {
+            // Steps cost time there, and give nothing.
+            self.step = Step::Fixed(self.every);
+        }
+        Ok(())
     }
 
     fn check_times(&mut self, every: Option<f64>) -> Result<(), Error> {

@@ -8,6 +8,9 @@ use precess_system::{Field, Shape};
 /// A system's equations, over every number.
 pub trait Toy: Send + Sync {
     fn rate<S: Scalar>(&self, t: S, y: &[S], dy: &mut [S]);
+    fn solution<S: Scalar>(&self, _from: S, _start: &[S], _t: S, _y: &mut [S]) {
+        panic!("this toy has no closed form");
+    }
     fn crossings<S: Scalar>(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn jump<S: Scalar>(&self, _event: usize, _t: S, _y: &mut [S]) {}
 }
@@ -47,6 +50,9 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
             }
         }
     }
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        self.toy.solution(from, start, t, y);
+    }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
         None
@@ -65,6 +71,11 @@ impl Toy for Harmonic {
     fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
         dy[0] = y[1];
         dy[1] = -(y[0] * (self.0 * self.0));
+    }
+    fn solution<S: Scalar>(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        let (sin, cos) = ((t - from) * self.0).sin_cos();
+        y[0] = start[0] * cos + start[1] * sin / self.0;
+        y[1] = start[1] * cos - start[0] * sin * self.0;
     }
 }
 pub fn harmonic(omega: f64) -> Bound<Harmonic> {
