@@ -1,11 +1,10 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
+mod attitude;
 mod complex;
 mod gravity;
-mod linear;
-mod attitude;
-mod gravity;
 mod inertia;
+mod linear;
 mod oscillators;
 mod pendulums;
 mod rotation;

@@ -1,7 +1,9 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
-use precess_integrate::{AnyMethod, METHODS, NoConvergence, Options, Step, Stepper, Steps};
+use precess_integrate::{
+    AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
+};
 use precess_scalar::Scalar;
 use precess_system::{Field, Shape};
 
@@ -149,6 +151,11 @@ impl Toy for BlowUp {
 }
 pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
+}
+
+/// Every method that needs no closed form.
+pub fn integrators() -> impl Iterator<Item = &'static MethodCard> {
+    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::ClosedForm)
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {

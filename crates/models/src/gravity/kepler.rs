@@ -51,12 +51,7 @@ fn relative<S: Scalar>(start: &State<S>) -> (Vector<S>, Vector<S>) {
 
 /// Place and velocity after a time, about a centre that attracts with mu / r^2.
 #[inline(always)]
-fn orbit<S: Scalar>(
-    mu: S,
-    time: S,
-    place: Vector<S>,
-    velocity: Vector<S>,
-) -> (Vector<S>, Vector<S>) {
+fn orbit<S: Scalar>(mu: S, time: S, place: Vector<S>, velocity: Vector<S>) -> (Vector<S>, Vector<S>) {
     // Back in time is forth with the velocity reversed.
     let backwards = time.lt(S::from(0.0));
     let turned = |v: Vector<S>| v.map(|x| S::select(backwards, -x, x));
@@ -123,31 +118,33 @@ impl<S: Scalar> Orbit<S> {
         let mut s = S::select(bound, mean, high);
         let mut last = high - low;
         let mut done = !S::always();
-        for _ in 0..MOST {
+        let mut tries = 0;
+        // Two free steps more give the last digits, and the slopes of a derivative.
+        let mut left = None;
+        loop {
             let g = functions(self.beta, s);
             let value = self.time(g) - time;
-            let below = value.lt(zero);
-            low = S::select(below, s, low);
-            high = S::select(below, high, s);
             let step = value / self.distance(g);
             let newton = s - step;
-            let fast = low.le(newton) & newton.le(high) & (step.abs() * 2.0).le(last);
-            let half = (high - low) * 0.5;
-            let next = S::select(fast, newton, low + half);
-            let length = (next - s).abs();
-            s = S::select(done, s, next);
-            last = S::select(fast, step.abs(), half);
-            done = done | length.le(next.abs() * 1e-13);
-            if S::all(done) {
-                break;
+            match left {
+                Some(0) => return g,
+                Some(more) => (s, left) = (newton, Some(more - 1)),
+                None => {
+                    let below = value.lt(zero);
+                    low = S::select(below, s, low);
+                    high = S::select(below, high, s);
+                    let fast = low.le(newton) & newton.le(high) & (step.abs() * 2.0).le(last);
+                    let half = (high - low) * 0.5;
+                    let next = S::select(fast, newton, low + half);
+                    let length = (next - s).abs();
+                    s = S::select(done, s, next);
+                    last = S::select(fast, step.abs(), half);
+                    done = done | length.le(next.abs() * 1e-13);
+                    tries += 1;
+                    left = (tries == MOST || S::all(done)).then_some(2);
+                }
             }
         }
-        // The last digits, and the slopes of a derivative.
-        for _ in 0..2 {
-            let g = functions(self.beta, s);
-            s = s - (self.time(g) - time) / self.distance(g);
-        }
-        functions(self.beta, s)
     }
 }
 

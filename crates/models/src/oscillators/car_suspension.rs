@@ -66,9 +66,7 @@ impl System for CarSuspension {
         // k f + b f' is the imaginary part of (k + i b frequency) amplitude e^(i frequency t).
         let force = Complex::new(k / m, b / m * frequency).scaled(amplitude);
         let force = force.times(Complex::imaginary(frequency * start.t).exp());
-        let free = linear::free([b / m, k / m], time, [x, x_dot]);
-        let driven = linear::driven([b / m, k / m], time, force, frequency);
-        (q[0], v[0]) = (free[0] + driven[0], free[1] + driven[1]);
+        [q[0], v[0]] = linear::driven([b / m, k / m], time, [x, x_dot], force, frequency);
     }
 
     #[inline(always)]

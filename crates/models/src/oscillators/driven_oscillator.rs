@@ -60,9 +60,7 @@ impl System for DrivenOscillator {
         let ([x], [x_dot], [p, k, amplitude, frequency]) = (start.q(), start.v(), start.p());
         let time = t - start.t;
         let force = Complex::imaginary(frequency * start.t).exp().scaled(amplitude);
-        let free = linear::free([p, k], time, [x, x_dot]);
-        let driven = linear::driven([p, k], time, force, frequency);
-        (q[0], v[0]) = (free[0] + driven[0], free[1] + driven[1]);
+        [q[0], v[0]] = linear::driven([p, k], time, [x, x_dot], force, frequency);
     }
 
     #[inline(always)]

@@ -56,7 +56,11 @@ impl System for PotentialWell {
 
     fn solvable(&self, start: &State<f64>) -> Result<(), String> {
         let curved = start.list(0).iter().skip(3).any(|&u| u != 0.0);
-        if curved { Err("it has a closed form for a potential of the second degree only".into()) } else { Ok(()) }
+        if curved {
+            Err("it has a closed form for a potential of the second degree only".into())
+        } else {
+            Ok(())
+        }
     }
 
     /// Of a potential of the second degree: a linear oscillator under a constant force.
@@ -66,9 +70,7 @@ impl System for PotentialWell {
         let zero = S::from(0.0);
         let u = |k: usize| start.list(0).get(k).copied().unwrap_or(zero);
         let (time, oscillator) = (t - start.t, [b, u(2) * 2.0]);
-        let free = linear::free(oscillator, time, [x, x_dot]);
-        let driven = linear::driven(oscillator, time, Complex::imaginary(-u(1)), zero);
-        (q[0], v[0]) = (free[0] + driven[0], free[1] + driven[1]);
+        [q[0], v[0]] = linear::driven(oscillator, time, [x, x_dot], Complex::imaginary(-u(1)), zero);
     }
 
     #[inline(always)]

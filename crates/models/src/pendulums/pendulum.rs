@@ -61,7 +61,11 @@ impl System for Pendulum {
 
     fn solvable(&self, start: &State<f64>) -> Result<(), String> {
         let [_m, _l, _g, friction @ ..] = start.p::<6>();
-        if friction == [0.0; 3] { Ok(()) } else { Err("the pendulum has a closed form without friction only".into()) }
+        if friction == [0.0; 3] {
+            Ok(())
+        } else {
+            Err("the pendulum has a closed form without friction only".into())
+        }
     }
 
     #[inline(always)]
