@@ -6,8 +6,10 @@ import sys
 import matplotlib as mpl
 import numpy as np
 import pytest
+from matplotlib.mathtext import MathTextParser
 
 import precess
+from precess._plot import _label
 
 mpl.use("Agg")
 

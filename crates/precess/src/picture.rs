@@ -20,7 +20,8 @@ pub fn picture(plan: &Plan, trajectory: &Trajectory) -> Figure {
     Figure { title: plan.title.clone(), subtitle: subtitle(plan), panels, scenario: scenario_toml(plan) }
 }
 
-fn subtitle(plan: &Plan) -> String {
+/// Method and steps.
+pub(crate) fn subtitle(plan: &Plan) -> String {
     let method = plan.method.card().id;
     match plan.step {
         Step::Fixed(dt) => format!("{method}, dt = {dt} s"),
@@ -29,13 +30,13 @@ fn subtitle(plan: &Plan) -> String {
 }
 
 /// Name and unit of an axis: `theta [rad]`.
-fn axis(quantity: &Quantity) -> String {
+pub(crate) fn axis(quantity: &Quantity) -> String {
     let name = readable(&quantity.name);
     if quantity.unit.is_empty() { name } else { format!("{name} [{}]", quantity.unit) }
 }
 
 /// `theta1_dot` to `θ1′`.
-fn readable(name: &str) -> String {
+pub(crate) fn readable(name: &str) -> String {
     let (stem, prime) = name.strip_suffix("_dot").map_or((name, ""), |stem| (stem, "′"));
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
     let greek = match letters {
@@ -51,7 +52,7 @@ fn readable(name: &str) -> String {
 fn curve(columns: &[Quantity], trajectory: &Trajectory, x: usize, y: usize, label: bool) -> Curve {
     let values = |k: usize| trajectory.rows().map(|row| row[k]).collect();
     let label = if label { readable(&columns[y].name) } else { String::new() };
-    Curve { label, x: values(x), y: values(y) }
+    Curve { label, x: values(x), y: values(y), ..Curve::default() }
 }
 
 fn scenario_panel(plan: &PanelPlan, columns: &[Quantity], trajectory: &Trajectory) -> Panel {
@@ -118,9 +119,7 @@ fn view_panel(columns: &[Quantity], trajectory: &Trajectory, view: &View) -> Pan
                 curves: known.iter().map(path).collect(),
                 marks: known
                     .iter()
-                    .filter_map(|&(x, y)| {
-                        start.map(|row| Mark { label: String::new(), x: row[x], y: row[y] })
-                    })
+                    .filter_map(|&(x, y)| start.map(|row| Mark { x: row[x], y: row[y], ..Mark::default() }))
                     .collect(),
                 ..Panel::default()
             }
@@ -154,7 +153,12 @@ fn drift_panel(trajectory: &Trajectory) -> Option<Panel> {
     let curves: Vec<Curve> = invariants
         .map(|(k, column)| {
             let values: Vec<f64> = trajectory.rows().map(|row| row[k]).collect();
-            Curve { label: readable(&column.name), x: times.clone(), y: departures(&values) }
+            Curve {
+                label: readable(&column.name),
+                x: times.clone(),
+                y: departures(&values),
+                ..Curve::default()
+            }
         })
         .collect();
     (!curves.is_empty()).then(|| Panel {

@@ -21,5 +21,6 @@ pub fn exception(error: precess::Error) -> PyErr {
     match error {
         precess::Error::Input(sentence) => InputError::new_err(sentence),
         precess::Error::File(sentence) => PyOSError::new_err(sentence),
+        precess::Error::Failed(sentence) => RunError::new_err(sentence),
     }
 }
