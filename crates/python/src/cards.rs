@@ -45,7 +45,6 @@ pub fn scenario_texts() -> Vec<(&'static str, &'static str)> {
 
 /// The sentence for a name that does not exist, with the nearest that does.
 #[pyfunction]
-#[allow(clippy::needless_pass_by_value)] // Python's list is converted
 pub fn unknown(what: &str, name: &str, names: Vec<String>) -> String {
     precess::unknown(what, name, names.iter().map(String::as_str)).to_string()
 }

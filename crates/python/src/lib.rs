@@ -2,6 +2,9 @@
 //!
 //! Here are runs, fields and cards as Python objects, the GIL and Ctrl-C; what people type and read is written in Python.
 
+// What Python passes is converted, and so ours.
+#![allow(clippy::needless_pass_by_value)]
+
 mod cards;
 mod ensemble;
 mod error;

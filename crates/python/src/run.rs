@@ -62,7 +62,6 @@ impl Outcome {
 
 /// SHA-256 over the numbers of a table as little-endian f64, row by row, every NaN the canonical one.
 #[pyfunction]
-#[allow(clippy::needless_pass_by_value)] // Python's array is borrowed
 pub fn hash(numbers: PyReadonlyArray2<f64>) -> String {
     hash_numbers(numbers.as_array().iter().copied())
 }
