@@ -34,7 +34,7 @@ pub use drift::{Drift, departures, drifts};
 pub use ensemble::ensemble;
 pub use error::{Error, unknown};
 pub use grid::{Axis, combinations, grid, starts};
-pub use hash::hash;
+pub use hash::{hash, hash_numbers};
 pub use members::{Keep, Members};
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
