@@ -157,6 +157,7 @@ pub(crate) fn later(failure: Failure, from: f64) -> Failure {
         Failure::TooSlow { t, h } => Failure::TooSlow { t: at(t), h },
         Failure::NoConvergence { t, h, iterations } => Failure::NoConvergence { t: at(t), h, iterations },
         Failure::TooManyEvents { t } => Failure::TooManyEvents { t: at(t) },
+        Failure::Trouble { t, what } => Failure::Trouble { t: at(t), what },
         Failure::Interrupted { t } => Failure::Interrupted { t: at(t) },
         refused @ Failure::Refused { .. } => refused,
     }

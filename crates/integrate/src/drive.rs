@@ -47,6 +47,8 @@ pub struct Report {
     pub events: Vec<Occurred>,
     /// The time reached.
     pub end: f64,
+    /// The full state there.
+    pub state: Vec<f64>,
     /// The watch that ended the run.
     pub stopped_by: Option<usize>,
     /// Why the run ended before its time.

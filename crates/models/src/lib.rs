@@ -45,6 +45,7 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::malkus_waterwheel::MalkusWaterwheel,
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
+    &gravity::cluster::Cluster,
     &tops::gyroscope::Gyroscope,
     &tops::gyroscope_rolling::GyroscopeRolling,
     &tops::symmetric_body::SymmetricBody,

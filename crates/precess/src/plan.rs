@@ -6,7 +6,7 @@ use crate::value::Value;
 use crate::{catalogue, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
 use precess_system::{
-    AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
+    AnySystem, Bind, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
 };
 
 /// How the method steps.
@@ -86,6 +86,8 @@ pub struct Plan {
 
 /// More samples than this do not fit a table that anybody reads.
 const MOST_SAMPLES: f64 = 1e8;
+/// More numbers than this fit no memory: 16 GB.
+const MOST_NUMBERS: f64 = 2e9;
 /// More steps than this take years.
 const MOST_STEPS: f64 = 1e14;
 
@@ -100,7 +102,16 @@ impl Plan {
         let values = resolve::parameters(&card, &scenario.parameters)?;
         let (layout, start) = resolve::start(system, &card, &values, &scenario.start)?;
         let structure = precess_system::structure(system, &values, &layout);
-        let method = catalogue::method(scenario.method.as_deref().unwrap_or(card.defaults.method))?;
+        let printed = as_printed(system, &values, &layout, &start);
+        let usual = if printed { AS_PRINTED } else { card.defaults.method };
+        let method = catalogue::method(scenario.method.as_deref().unwrap_or(usual))?;
+        if printed && method.card().id != AS_PRINTED {
+            return input(format!(
+                "with these parameters {} is stepped as in its source, by {AS_PRINTED} alone, not by '{}'",
+                card.id,
+                method.card().id
+            ));
+        }
         let mut plan = Self {
             title: if scenario.title.is_empty() { card.title.en.clone() } else { scenario.title.clone() },
             until: card.defaults.until,
@@ -259,6 +270,12 @@ impl Plan {
                 "{samples:.1e} samples are too many: make 'every' longer (at most 1e8 samples)"
             ));
         }
+        let numbers = samples * (1 + self.layout.shape().state()) as f64;
+        if numbers > MOST_NUMBERS {
+            return input(format!(
+                "the samples would be {numbers:.1e} numbers, which fit no memory: make 'every' longer"
+            ));
+        }
         if let Step::Fixed(dt) = self.step {
             let steps = until.abs() / dt;
             if steps > MOST_STEPS {
@@ -267,6 +284,15 @@ impl Plan {
         }
         Ok(())
     }
+}
+
+/// The one method whose steps a source's program may vary.
+const AS_PRINTED: &str = "euler_taylor";
+
+/// Whether the parameters ask for a step that the system's source takes, and its equations do not.
+fn as_printed(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout, start: &[f64]) -> bool {
+    let field = Bind::<f64>::bind(system, values.clone(), layout);
+    field.drift(0.0, start, &mut vec![0.0; start.len()])
 }
 
 fn positive(name: &str, x: f64) -> Result<f64, Error> {

@@ -76,7 +76,8 @@ fn the_special_cases_too() {
         ("spring", &[("b", "0.4"), ("g", "9.81"), ("m", "0.3")]),
         // The pendulum: P's large swing, turning over, nearly at the separatrix on either side, in the next well, gravity
         // upwards, none.
-        ("pendulum", &[("-theta", "49*pi/50")]),
+        // (Each passage of the top costs an integration two digits: one is seen here.)
+        ("pendulum", &[("-theta", "49*pi/50"), ("--until", "4")]),
         ("pendulum", &[("-theta_dot", "8")]),
         ("pendulum", &[("-theta_dot", "-30")]),
         ("pendulum", &[("-theta", "0"), ("-theta_dot", "2*sqrt(9.81) + 1e-6"), ("--until", "3")]),
@@ -113,6 +114,7 @@ fn the_special_cases_too() {
         ("n_body", &[("-z1", "0.4"), ("-z0_dot", "0.3"), ("--until", "5")]),
         ("n_body", &[("k", "0"), ("--until", "5")]),
     ];
+    let mut off = vec![];
     for (system, settings) in cases {
         for until in [1.0, -1.0] {
             let mut all = settings.to_vec();
@@ -128,9 +130,12 @@ fn the_special_cases_too() {
             }
             let distance = distance(system, &all);
             println!("{system} {all:?}: {distance:.1e}");
-            assert!(distance < 1e-11, "{system} {all:?}: {distance:e}");
+            if distance.is_nan() || distance > 1e-11 {
+                off.push(format!("{system} {all:?}: {distance:e}"));
+            }
         }
     }
+    assert!(off.is_empty(), "{off:#?}");
 }
 
 /// From 49 pi / 50 the period is 4 K(sin(49 pi / 100)) / omega, with K by the arithmetic-geometric mean of the test's own.

@@ -19,7 +19,7 @@ pub(super) fn two_bodies<S: Scalar>(start: &State<S>, t: S, q: &mut [S], v: &mut
     let ([k], time) = (start.p(), t - start.t);
     let [first, second] = [start.list(0)[0], start.list(0)[1]];
     let both = first + second;
-    let (place, velocity) = relative(start);
+    let (place, velocity) = relative(start, 0, 1);
     let (place, velocity) = orbit(k * both, time, place, velocity);
     let dimensions = q.len() / 2;
     for axis in 0..dimensions {
@@ -34,16 +34,31 @@ pub(super) fn two_bodies<S: Scalar>(start: &State<S>, t: S, q: &mut [S], v: &mut
 
 /// Whether two bodies move along one line.
 pub(super) fn falls(start: &State<f64>) -> bool {
-    let (place, velocity) = relative(start);
+    let (place, velocity) = relative(start, 0, 1);
     cross(place, velocity) == [0.0; 3]
 }
 
-/// The second body as seen from the first.
+/// Semi-major axis and eccentricity of the orbit that two bodies would go on along if they were alone.
 #[inline(always)]
-fn relative<S: Scalar>(start: &State<S>) -> (Vector<S>, Vector<S>) {
-    let dimensions = start.coordinates.len() / 2;
+pub(super) fn elements<S: Scalar>(s: &State<S>, i: usize, j: usize) -> [S; 2] {
+    let [k] = s.p();
+    let mu = k * (s.list(0)[i] + s.list(0)[j]);
+    let (place, velocity) = relative(s, i, j);
+    let distance = dot(place, place).sqrt();
+    let (square, outward) = (dot(velocity, velocity), dot(place, velocity));
+    // Towards the pericentre, as long as the eccentricity.
+    let long: Vector<S> = std::array::from_fn(|axis| {
+        (square / mu - S::from(1.0) / distance) * place[axis] - outward / mu * velocity[axis]
+    });
+    [S::from(1.0) / (S::from(2.0) / distance - square / mu), dot(long, long).sqrt()]
+}
+
+/// Body j as seen from body i.
+#[inline(always)]
+fn relative<S: Scalar>(start: &State<S>, i: usize, j: usize) -> (Vector<S>, Vector<S>) {
+    let dimensions = start.coordinates.len() / start.list(0).len();
     let difference = |of: &[S]| {
-        let [first, second] = [0, 1].map(|body| in_space(of, dimensions, body));
+        let [first, second] = [i, j].map(|body| in_space(of, dimensions, body));
         std::array::from_fn(|axis| second[axis] - first[axis])
     };
     (difference(start.coordinates), difference(start.velocities))

@@ -44,6 +44,21 @@ impl System for NBody {
         }
     }
 
+    fn trouble(&self, s: &State<f64>) -> Option<String> {
+        let bodies = s.list(0).len();
+        let dimensions = s.coordinates.len() / bodies;
+        let pairs = (0..bodies).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let apart = pairs.map(|(i, j)| (separation(s.coordinates, dimensions, i, j, 0.0).1, i, j));
+        let (mut nearest, mut farthest) = ((f64::INFINITY, 0, 0), 0.0);
+        for pair in apart {
+            nearest = if pair.0 < nearest.0 { pair } else { nearest };
+            farthest = if pair.0 > farthest { pair.0 } else { farthest };
+        }
+        let (distance, i, j) = nearest;
+        let close = distance < 1e-3 * farthest || bodies == 2 && distance < 1e-6;
+        close.then(|| format!("bodies {i} and {j} collide: they are {distance:.1e} apart"))
+    }
+
     #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([k, softening], masses) = (s.p(), s.list(0));
@@ -86,7 +101,8 @@ impl System for NBody {
         let spin = if dimensions == 3 { &spin[..] } else { &spin[2..] };
         let relative = s.coordinates.iter().enumerate().map(|(n, x)| *x - centre[n % dimensions] / total);
         let sums = momentum[..dimensions].iter().chain(spin).copied();
-        let rest = sums.chain([kinetic, potential]).chain(relative);
+        let orbits = n_body_card::pairs(masses.len()).flat_map(|(i, j)| kepler::elements(s, i, j));
+        let rest = sums.chain([kinetic, potential]).chain(relative).chain(orbits);
         for (place, value) in out[1..].iter_mut().zip(rest) {
             *place = value;
         }

@@ -3,6 +3,7 @@ pub mod double_pendulum;
 pub mod driven_pendulum;
 pub mod elastic_pendulum;
 pub mod foucault_pendulum;
+mod hold;
 pub mod kapitza_pendulum;
 pub mod magnetic_pendulum;
 pub mod n_pendulum;
