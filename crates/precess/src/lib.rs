@@ -37,7 +37,7 @@ pub use ensemble::ensemble;
 pub use error::{Error, unknown};
 pub use family::FamilyMember;
 pub use grid::{Axis, combinations, grid, starts};
-pub use hash::hash;
+pub use hash::{hash, hash_numbers};
 pub use members::{Keep, Members};
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
