@@ -6,7 +6,9 @@ mod potential;
 mod shown;
 mod views;
 
-pub(crate) use labels::{axis, readable, subtitle};
+#[cfg(feature = "analyses")]
+pub(crate) use labels::axis;
+pub(crate) use labels::{readable, subtitle};
 pub(crate) use shown::Shown;
 
 use crate::canonical::scenario_toml;
