@@ -146,13 +146,7 @@ fn the_moon_of_the_program_is_elsewhere() {
 /// feeds so much energy that some are at another magnet than they ought to be.
 #[test]
 fn most_points_of_figure_25_have_not_arrived() {
-    let axes = ["x", "y"].map(|name| Axis {
-        name: name.into(),
-        low: -1.6,
-        high: 1.6,
-        points: 28,
-        ..Axis::default()
-    });
+    let axes = ["x", "y"].map(|name| Axis { name: name.into(), low: -1.6, high: 1.6, points: 28 });
     let labels = |settings: &[(&str, &str)]| {
         let start = [("d", "0.1"), ("-x_dot", "0"), ("-y_dot", "0")];
         let plan = plan("magnetic_pendulum", &[&start, settings].concat());

@@ -72,8 +72,11 @@ impl System for Cluster {
 
     #[inline(always)]
     fn drift<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) -> bool {
-        self.accelerations(s, highest);
-        s.choice(0) == AS_PRINTED
+        let as_printed = s.choice(0) == AS_PRINTED;
+        if as_printed {
+            self.accelerations(s, highest);
+        }
+        as_printed
     }
 
     #[inline(always)]
