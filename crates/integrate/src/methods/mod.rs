@@ -13,6 +13,7 @@ mod gauss_legendre6;
 mod glide;
 mod implicit_midpoint;
 mod newmark;
+mod radau5;
 mod rk4;
 mod tsit5;
 mod verlet;
@@ -40,4 +41,5 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &dopri5::Dopri5,
     &tsit5::Tsit5,
     &dop853::Dop853,
+    &radau5::Radau5,
 ];
