@@ -4,9 +4,10 @@ use crate::Dense;
 use crate::entered::Entered;
 #[cfg(feature = "laws")]
 use precess_scalar::{DoubleDouble, Dual};
-use precess_scalar::{Narrow, Scalar, Wide, Widest};
+use precess_scalar::{Narrow, Scalar, Tape, Wide, Widest};
 use precess_system::{Field, Shape};
 use std::fmt;
+use std::sync::Arc;
 
 /// How the length of a step is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +25,8 @@ pub enum Needs {
     Any,
     /// Accelerations that depend on positions (and time) alone.
     Separable,
+    /// Its equations written down ([`Options::equations`]), without absolute values and choices between cases.
+    Expression,
 }
 
 /// A number that changes a method.
@@ -66,18 +69,20 @@ pub struct MethodCard {
     pub options: &'static [OptionCard],
 }
 
-/// The values of the options of all methods.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The values of the options of all methods, and the equations for those that need them.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Share of the acceleration in the position step of `euler_taylor`.
     pub alpha: f64,
     /// Where the loop of `newmark` ends.
     pub epsilon: f64,
+    /// The rates of a full state from time and that state.
+    pub equations: Option<Arc<Tape>>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { alpha: 0.5, epsilon: 1e-12 }
+        Self { alpha: 0.5, epsilon: 1e-12, equations: None }
     }
 }
 

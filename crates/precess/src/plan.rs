@@ -5,9 +5,11 @@ use crate::scenario::Scenario;
 use crate::value::Value;
 use crate::{catalogue, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
+use precess_scalar::Taylor;
 use precess_system::{
     AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
 };
+use std::sync::Arc;
 
 /// How the method steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -118,6 +120,7 @@ impl Plan {
             method,
         };
         plan.check_method()?;
+        plan.record_equations()?;
         plan.read_run(&scenario.run)?;
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
         plan.panels = scenario.figures.iter().map(|f| resolve::panel(&plan, f)).collect::<Result<_, _>>()?;
@@ -150,7 +153,7 @@ impl Plan {
     fn check_method(&self) -> Result<(), Error> {
         let card = self.method.card();
         let id = self.card.id;
-        if card.needs == Needs::Any || self.structure.separable() {
+        if card.needs != Needs::Separable || self.structure.separable() {
             return Ok(());
         }
         let why = if self.structure.hybrid {
@@ -167,6 +170,24 @@ impl Plan {
             card.id,
             fits.join(", ")
         ))
+    }
+
+    /// For methods that need them.
+    fn record_equations(&mut self) -> Result<(), Error> {
+        let card = self.method.card();
+        if card.needs != Needs::Expression {
+            return Ok(());
+        }
+        let tape = precess_system::expression(self.system, &self.values, &self.layout);
+        if let Err(what) = Taylor::<f64>::new(&tape, 1) {
+            return input(format!(
+                "method '{}' needs equations that have a power series, and those of {} contain {what}: dop853 takes \
+                 any (friction set to zero may help)",
+                card.id, self.card.id
+            ));
+        }
+        self.options.equations = Some(Arc::new(tape));
+        Ok(())
     }
 
     fn read_run(&mut self, run: &[(String, Value)]) -> Result<(), Error> {

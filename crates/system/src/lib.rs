@@ -4,6 +4,7 @@
 //! the number. [`Field`] is the one seam where the system's type is forgotten and the number's is kept.
 
 mod card;
+mod expression;
 mod field;
 mod layout;
 mod quantity;
@@ -16,6 +17,7 @@ mod units;
 mod values;
 
 pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
+pub use expression::expression;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};

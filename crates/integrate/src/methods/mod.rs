@@ -15,6 +15,7 @@ mod implicit_midpoint;
 mod newmark;
 mod radau5;
 mod rk4;
+mod taylor;
 mod tsit5;
 mod verlet;
 mod yoshida4;
@@ -42,4 +43,5 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &tsit5::Tsit5,
     &dop853::Dop853,
     &radau5::Radau5,
+    &taylor::Taylor,
 ];

@@ -1,0 +1,124 @@
+//! Taylor's method: the solution's power series at each step, as far as its term of order 20.
+//!
+//! The series comes from the recorded equations by recurrences (see [`Taylor`](precess_scalar::Taylor)). Its radius of
+//! convergence tells how far a step may go, so a step is as long as the last two terms allow (A. Jorba, M. Zou, *Experimental
+//! Mathematics* 14, 99, 2005); one that is too long needs no new series. The method for the highest accuracy: to 1e-15 it needs
+//! few steps, and the state inside a step is as accurate as at its end.
+
+use crate::controller::norm;
+use crate::{Dense, Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
+use precess_scalar::{Scalar, Taylor as Series};
+use precess_system::{Field, Shape};
+
+/// See the module.
+pub struct Taylor;
+
+static CARD: MethodCard = MethodCard {
+    id: "taylor",
+    title: ("Taylor, order 20", "Taylor, ordre 20"),
+    about: (
+        "Adaptive, of order 20: the solution's own power series, for the highest accuracy.",
+        "Adaptative, d'ordre 20 : la série entière de la solution elle-même, pour la plus haute précision.",
+    ),
+    order: ORDER as u32,
+    kind: Kind::Adaptive,
+    needs: Needs::Expression,
+    symplectic: false,
+    reversible: false,
+    source: "A. Jorba, M. Zou, Experimental Mathematics 14, 99 (2005)",
+    options: &[],
+};
+
+/// For tolerances from 1e-10 to 1e-15, orders from 13 to 18 would cost least; a longer series takes longer steps.
+const ORDER: usize = 20;
+
+impl Method for Taylor {
+    fn card(&self) -> &'static MethodCard {
+        &CARD
+    }
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+        let equations = options.equations.as_ref().filter(|tape| tape.inputs() == shape.full() + 1);
+        Steps {
+            series: equations.and_then(|tape| Series::new(tape, ORDER).ok()),
+            known: false,
+            terms: vec![S::from(0.0); shape.full()],
+            evaluations: 0,
+        }
+    }
+}
+
+/// The series, and whether it is that of the step's start.
+pub struct Steps<S> {
+    /// None without equations: its steps end in NaN (a [`drive`](crate::drive) refuses such a run).
+    series: Option<Series<S>>,
+    known: bool,
+    /// The terms of one order.
+    terms: Vec<S>,
+    /// A coefficient of all rates counts as an evaluation.
+    evaluations: u64,
+}
+
+impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        let Some(series) = &mut self.series else {
+            step.out.fill(S::from(f64::NAN));
+            return Ok(());
+        };
+        if !self.known {
+            series.expand(step.t, step.y);
+            self.evaluations += ORDER as u64;
+            self.known = true;
+        }
+        for (i, out) in step.out.iter_mut().enumerate() {
+            let (y, rest) = series.of(i).split_at(1);
+            *out = y[0] + step.h * rest.iter().rev().fold(S::from(0.0), |sum, c| sum * step.h + *c);
+        }
+        Ok(())
+    }
+
+    /// The larger of the last two terms: one of them may be missing by symmetry.
+    #[inline(always)]
+    fn error(&mut self, h: S, weights: &[S]) -> S {
+        let Some(series) = &self.series else { return S::from(f64::NAN) };
+        let power = h.powi(ORDER as i32 - 1);
+        let mut size = |order: usize, power: S| {
+            for (i, term) in self.terms.iter_mut().enumerate() {
+                *term = series.of(i)[order] * power;
+            }
+            norm(&self.terms, weights)
+        };
+        let before = size(ORDER - 1, power);
+        size(ORDER, power * h).larger(before)
+    }
+
+    #[inline(always)]
+    fn dense(&mut self, _field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
+        let mut power = h;
+        let terms = (1..=ORDER).map(|order| {
+            let terms = (0..y.len()).map(|i| {
+                self.series.as_ref().map_or(S::from(f64::NAN), |series| series.of(i)[order] * power)
+            });
+            let terms = terms.collect();
+            power = power * h;
+            terms
+        });
+        Dense::series(t, h, y, end, terms.collect())
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, accepted: S::Mask) {
+        // A lane that tries again finds its own series anew, with the same bits.
+        self.known = S::all(!accepted);
+    }
+
+    fn restart(&mut self) {
+        self.known = false;
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}

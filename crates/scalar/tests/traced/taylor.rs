@@ -1,0 +1,61 @@
+//! Taylor coefficients against the functions themselves.
+
+use precess_scalar::{DoubleDouble, Scalar, Tape, Taylor, Traced};
+
+const ORDER: usize = 30;
+
+/// `x' = 1, y' = f(x)` from x = 0.4: the rate of y inside a step, by its series, is f.
+fn check(name: &str, f: impl Fn(Traced) -> Traced, g: impl Fn(DoubleDouble) -> DoubleDouble) {
+    let tape = Tape::record(3, |x| vec![Traced::from(1.0), f(x[1])]);
+    let mut series = Taylor::<DoubleDouble>::new(&tape, ORDER).expect(name);
+    let (start, h) = (DoubleDouble::from(0.4), DoubleDouble::from(0.03125));
+    series.expand(DoubleDouble::from(0.0), &[start, DoubleDouble::from(0.0)]);
+    let rates = series.of(1)[1..].iter().enumerate().map(|(k, c)| *c * (k + 1) as f64);
+    let sum = rates.rev().fold(DoubleDouble::from(0.0), |sum, c| sum * h + c);
+    let error = (sum - g(start + h)).to_f64();
+    println!("{name:<10} {error:.1e}");
+    assert!(error.abs() < 1e-28, "{name}: {error:e}");
+}
+
+#[test]
+fn every_function_has_its_series() {
+    check("sin", |x| x.sin(), |x| x.sin());
+    check("cos", |x| x.cos(), |x| x.cos());
+    check("both", |x| x.sin() * x.cos(), |x| x.sin() * x.cos());
+    check("tan", |x| x.tan(), |x| x.tan());
+    check("asin", |x| x.asin(), |x| x.asin());
+    check("acos", |x| x.acos(), |x| x.acos());
+    check("exp", |x| x.exp(), |x| x.exp());
+    check("ln", |x| x.ln(), |x| x.ln());
+    check("sinh", |x| x.sinh(), |x| x.sinh());
+    check("cosh", |x| x.cosh(), |x| x.cosh());
+    check("tanh", |x| x.tanh(), |x| x.tanh());
+    check("sqrt", |x| x.sqrt(), |x| x.sqrt());
+    check("cbrt", |x| x.cbrt(), |x| x.cbrt());
+    check("powi", |x| x.powi(7) + x.powi(-3) + x.powi(0), |x| x.powi(7) + x.powi(-3) + 1.0);
+    check("powf", |x| x.powf(Traced::from(1.5)), |x| x * x.sqrt());
+    check("to itself", |x| x.powf(x), |x| (x * x.ln()).exp());
+    check("hypot", |x| x.hypot(x * x), |x| (x * x + x.powi(4)).sqrt());
+    check("atan2", |x| x.atan2(x * x + 0.5), |x| x.atan2(x * x + 0.5));
+    check("algebra", |x| (-x + 2.0) / (x * 3.0 - 7.0) - x / 4.0, |x| (-x + 2.0) / (x * 3.0 - 7.0) - x / 4.0);
+}
+
+/// Powers of whole exponent need no base that is not zero.
+#[test]
+fn a_square_has_its_series_at_zero() {
+    let tape = Tape::record(2, |x| vec![x[1].powi(2) + x[0].powi(3) + 1.0]);
+    let mut series = Taylor::<f64>::new(&tape, 7).unwrap();
+    series.expand(0.0, &[0.0]);
+    // y' = 1 + y^2 + t^3: the tangent, and t^4 / 4.
+    assert_eq!(series.of(0), [0.0, 1.0, 0.0, 1.0 / 3.0, 0.25, 2.0 / 15.0, 0.25 / 3.0, series.of(0)[7]]);
+}
+
+#[test]
+fn what_has_no_series_is_refused() {
+    let refusal = |f: fn(Traced) -> Traced| Taylor::<f64>::new(&Tape::record(2, |x| vec![f(x[1])]), 4).err();
+    assert_eq!(refusal(|x| x.abs()), Some("an absolute value"));
+    assert_eq!(refusal(|x| x.sign()), Some("a sign"));
+    assert_eq!(refusal(|x| x.larger(x * x)), Some("the larger or smaller of two"));
+    assert_eq!(refusal(|x| Traced::select(x.lt(x * x), x, -x)), Some("a choice between cases"));
+    assert_eq!(refusal(|x| x * x), None);
+}
