@@ -4,7 +4,7 @@ mod toys;
 
 use precess_integrate::{METHODS, Options};
 use precess_scalar::{DoubleDouble, Scalar};
-use toys::{method, pendulum, stepper, take};
+use toys::{Known, method, pendulum, stepper, take};
 
 type Dd = DoubleDouble;
 
@@ -56,7 +56,7 @@ fn the_ends_are_the_very_numbers_of_the_step() {
         for _ in 0..100 {
             let (t, h) = (10.0 * random(), 0.3 * random());
             let (start, mut end) = ([random(), random() - 0.5], [0.0; 2]);
-            let mut steps = stepper::<f64>(method(m.id), &field, &Options::default());
+            let mut steps = stepper::<f64>(method(m.id), &field, &field.options());
             take(&mut *steps, &field, t, &start, h, &mut end).expect("converges");
             let stop = t + h;
             let dense = steps.dense(&field, t, &start, h, &end).ending(stop);
