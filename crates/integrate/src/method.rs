@@ -27,6 +27,8 @@ pub enum Needs {
     Separable,
     /// Its equations written down ([`Options::equations`]), without absolute values and choices between cases.
     Expression,
+    /// Momenta and forces of its Lagrangian ([`Options::equations`]), and nothing beside them.
+    Lagrangian,
 }
 
 /// A number that changes a method.
@@ -76,7 +78,8 @@ pub struct Options {
     pub alpha: f64,
     /// Where the loop of `newmark` ends.
     pub epsilon: f64,
-    /// The rates of a full state from time and that state.
+    /// What a method [`Needs`] beside the field, from time and a full state: the rates of the state (`Expression`), or
+    /// momenta, forces and mass matrix (`Lagrangian`).
     pub equations: Option<Arc<Tape>>,
 }
 

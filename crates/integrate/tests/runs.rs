@@ -3,13 +3,13 @@
 mod toys;
 
 use precess_integrate::{
-    Drive, Failure, METHODS, Needs, Options, Pace, Report, Samples, Source, Tolerance, Watched, drive,
+    Drive, Failure, Needs, Options, Pace, Report, Samples, Source, Tolerance, Watched, drive,
 };
 use precess_scalar::Scalar;
 use precess_system::Direction;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
-use toys::{Known, ball, blow_up, harmonic, method, mixed, pendulum};
+use toys::{Known, ball, blow_up, harmonic, method, methods, mixed, pendulum};
 
 type Rows = Vec<(f64, Vec<f64>)>;
 
@@ -55,7 +55,7 @@ fn watch<'a>(f: impl Fn(f64, &[f64]) -> f64 + 'a, direction: Direction, stop: bo
 
 /// Every method with its pace.
 fn paces(dt: f64) -> impl Iterator<Item = (&'static str, Pace)> {
-    METHODS.iter().map(|m| m.card()).flat_map(move |card| {
+    methods().flat_map(move |card| {
         let adaptive = card.kind == precess_integrate::Kind::Adaptive;
         [(card.id, Pace::Fixed(dt))].into_iter().chain(adaptive.then(|| (card.id, tight(1e-10))))
     })

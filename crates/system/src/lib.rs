@@ -6,6 +6,7 @@
 mod card;
 mod expression;
 mod field;
+mod hamilton;
 mod layout;
 mod quantity;
 mod state;
@@ -19,6 +20,7 @@ mod values;
 pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
 pub use expression::expression;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
+pub use hamilton::{beside_the_lagrangian, momenta};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
 pub use state::State;

@@ -6,6 +6,7 @@ mod dop853;
 mod dopri5;
 mod euler;
 mod euler_cromer;
+mod euler_cromer_implicit;
 mod euler_taylor;
 mod gauss_legendre16;
 mod gauss_legendre4;
@@ -29,6 +30,7 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &euler::Euler,
     &euler_taylor::EulerTaylor,
     &euler_cromer::EulerCromer,
+    &euler_cromer_implicit::EulerCromerImplicit,
     &verlet::Verlet,
     &yoshida4::Yoshida4,
     &yoshida6::Yoshida6,

@@ -1,7 +1,9 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
-use precess_integrate::{AnyMethod, METHODS, NoConvergence, Options, Step, Stepper, Steps};
+use precess_integrate::{
+    AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
+};
 use precess_scalar::{Scalar, Tape};
 use precess_system::{Field, Shape};
 use std::sync::Arc;
@@ -156,6 +158,11 @@ impl Toy for BlowUp {
 }
 pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
+}
+
+/// The methods that run on a toy, which has no Lagrangian.
+pub fn methods() -> impl Iterator<Item = &'static MethodCard> {
+    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::Lagrangian)
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {
