@@ -55,7 +55,8 @@ fn area_error(method: &str) -> f64 {
     };
     let h = 1e-5;
     let along = |f: &dyn Fn(&[f64]) -> [f64; 4], direction: [f64; 4]| {
-        let shifted = |s: f64| -> Vec<f64> { plan.start.iter().zip(direction).map(|(x, d)| x + s * d).collect() };
+        let shifted =
+            |s: f64| -> Vec<f64> { plan.start.iter().zip(direction).map(|(x, d)| x + s * d).collect() };
         let (plus, minus) = (f(&shifted(h)), f(&shifted(-h)));
         [0, 1, 2, 3].map(|i| (plus[i] - minus[i]) / (2.0 * h))
     };
@@ -86,7 +87,8 @@ fn the_energy_of_the_cone_stays_where_it_was() {
     };
     let (implicit, explicit) = (drift("euler_cromer_implicit"), drift("euler_cromer"));
     println!("{implicit:.1e}, {explicit:.1e}");
-    assert!(implicit < 0.01 && explicit > 5.0 * implicit, "{implicit}, {explicit}");
+    // Of order h = 1e-3 and bounded; the explicit one drifts away.
+    assert!(implicit < 0.02 && explicit > 0.2, "{implicit}, {explicit}");
 }
 
 #[test]
@@ -94,7 +96,8 @@ fn friction_and_a_missing_lagrangian_are_refused() {
     let refusal = |system: &str, parameters: &[(&str, f64)], method: &str| {
         let mut scenario = Scenario::of(system);
         scenario.method = Some(method.into());
-        scenario.parameters = parameters.iter().map(|(name, x)| ((*name).into(), Value::number(*x))).collect();
+        scenario.parameters =
+            parameters.iter().map(|(name, x)| ((*name).into(), Value::number(*x))).collect();
         Plan::new(&scenario).err().map(|e| e.to_string()).unwrap_or_default()
     };
     let implicit = "euler_cromer_implicit";

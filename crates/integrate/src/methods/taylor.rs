@@ -50,7 +50,7 @@ impl Method for Taylor {
 }
 
 /// The series, and whether it is that of the step's start.
-pub struct Steps<S> {
+pub struct Steps<S: Scalar> {
     /// None without equations: its steps end in NaN (a [`drive`](crate::drive) refuses such a run).
     series: Option<Series<S>>,
     known: bool,

@@ -5,7 +5,7 @@
 //! Analysis*, 1966; A. Jorba, M. Zou, *Experimental Mathematics* 14, 99, 2005). The equation itself then gives the
 //! next coefficient of the state, `y_{k+1} = f_k / (k + 1)`, so that all orders cost little more than a square of their number.
 //!
-//! Products with derivatives are written with the series of `t x'`, whose coefficients are `k x_k`.
+//! A choice between cases is made at the start and holds: where cases change, a step must end. Products with derivatives are written with the series of `t x'`, whose coefficients are `k x_k`.
 
 use super::Tape;
 use super::node::{Binary, Node, Unary};
@@ -31,6 +31,12 @@ enum Rule {
     Slope(usize),
     /// The function is at order zero what its name says; later:
     Function(Start, Law),
+    /// A number that only conditions ask for: its value will do.
+    Value(Start),
+    /// A truth value.
+    Condition(Condition),
+    /// The second where the condition of the first row holds, else the third.
+    Choice(usize, usize, usize),
 }
 
 /// Order zero of a function.
@@ -38,6 +44,16 @@ enum Rule {
 enum Start {
     Of(Unary, usize),
     Both(Binary, usize, usize),
+}
+
+/// What holds at order zero.
+#[derive(Clone, Copy, Debug)]
+enum Condition {
+    Less(usize, usize),
+    LessOrEqual(usize, usize),
+    And(usize, usize),
+    Or(usize, usize),
+    Not(usize),
 }
 
 /// The differential equation of a function y of x. `slope` is the row of the slope of x, `own` that of y.
@@ -55,10 +71,12 @@ enum Law {
 
 /// The Taylor coefficients of a solution.
 #[derive(Clone, Debug)]
-pub struct Taylor<S> {
+pub struct Taylor<S: Scalar> {
     rules: Vec<Rule>,
     /// Row after row, each with all coefficients of one operation.
     coefficients: Vec<S>,
+    /// Whether the condition of a row holds.
+    holds: Vec<S::Mask>,
     terms: usize,
     /// The rows of time and the state, and those that give the state's rates.
     inputs: Vec<usize>,
@@ -69,22 +87,24 @@ impl<S: Scalar> Taylor<S> {
     /// For `y' = f(t, y)`, recorded with the inputs `t, y` and the outputs `f`, up to the coefficient of `t^order`.
     ///
     /// # Errors
-    /// The function that has no Taylor series everywhere: an absolute value, a choice between cases.
+    /// The function that has no Taylor series: an absolute value, a sign, the larger or smaller of two.
     ///
     /// # Panics
     /// If the tape does not have one output for each input but the first.
     pub fn new(tape: &Tape, order: usize) -> Result<Self, &'static str> {
         assert_eq!(tape.inputs, tape.outputs.len() + 1, "a rate for each number of the state");
         let mut rules = Rules { rules: vec![], place: vec![] };
+        let smooth = tape.beside_conditions();
         let inputs = (0..tape.inputs).map(|_| rules.push(Rule::Input)).collect();
-        for &node in &tape.nodes {
-            let at = rules.translate(node)?;
+        for (&node, smooth) in tape.nodes.iter().zip(smooth) {
+            let at = rules.translate(node, smooth)?;
             rules.place.push(at);
         }
         let outputs = tape.outputs.iter().map(|&at| rules.place[at as usize]).collect();
         let terms = order + 1;
         let coefficients = vec![S::from(0.0); rules.rules.len() * terms];
-        Ok(Self { rules: rules.rules, coefficients, terms, inputs, outputs })
+        let holds = vec![!S::always(); rules.rules.len()];
+        Ok(Self { rules: rules.rules, coefficients, holds, terms, inputs, outputs })
     }
 
     /// Expands the solution that is at `y` at time `t`.
@@ -122,7 +142,15 @@ impl<S: Scalar> Taylor<S> {
         let terms = self.terms;
         for (row, rule) in self.rules.iter().enumerate() {
             let from = |row: usize| &self.coefficients[row * terms..][..terms];
-            let value = if k == 0 { zeroth(*rule, &from) } else { later(*rule, row, k, &from) };
+            let value = match *rule {
+                Rule::Condition(condition) if k == 0 => {
+                    self.holds[row] = self.condition(condition);
+                    None
+                }
+                Rule::Choice(mask, a, b) => Some(S::select(self.holds[mask], from(a)[k], from(b)[k])),
+                rule if k == 0 => zeroth(rule, &from),
+                rule => later(rule, row, k, &from),
+            };
             if let Some(value) = value {
                 self.coefficients[row * terms + k] = value;
             }
@@ -130,13 +158,28 @@ impl<S: Scalar> Taylor<S> {
     }
 }
 
-/// The value itself; none for what is given.
+impl<S: Scalar> Taylor<S> {
+    #[inline(always)]
+    fn condition(&self, condition: Condition) -> S::Mask {
+        let at = |row: usize| self.coefficients[row * self.terms];
+        let holds = |row: usize| self.holds[row];
+        match condition {
+            Condition::Less(a, b) => at(a).lt(at(b)),
+            Condition::LessOrEqual(a, b) => at(a).le(at(b)),
+            Condition::And(a, b) => holds(a) & holds(b),
+            Condition::Or(a, b) => holds(a) | holds(b),
+            Condition::Not(a) => !holds(a),
+        }
+    }
+}
+
+/// The value itself; none for what is given, or no number.
 #[inline(always)]
 fn zeroth<'a, S: Scalar>(rule: Rule, row: &impl Fn(usize) -> &'a [S]) -> Option<S> {
     let at = |i: usize| row(i)[0];
     Some(match rule {
         Rule::Constant(x) => S::from(x),
-        Rule::Input => return None,
+        Rule::Input | Rule::Condition(_) | Rule::Choice(..) => return None,
         Rule::Sum(a, b) => at(a) + at(b),
         Rule::Difference(a, b) => at(a) - at(b),
         Rule::Negative(a) => -at(a),
@@ -146,8 +189,10 @@ fn zeroth<'a, S: Scalar>(rule: Rule, row: &impl Fn(usize) -> &'a [S]) -> Option<
         Rule::Quotient(a, b) => at(a) / at(b),
         Rule::Root(a) => at(a).sqrt(),
         Rule::Slope(_) => S::from(0.0),
-        Rule::Function(Start::Of(f, a), _) => super::replay::unary(f, at(a)),
-        Rule::Function(Start::Both(f, a, b), _) => super::replay::binary(f, at(a), at(b)),
+        Rule::Function(Start::Of(f, a), _) | Rule::Value(Start::Of(f, a)) => super::replay::unary(f, at(a)),
+        Rule::Function(Start::Both(f, a, b), _) | Rule::Value(Start::Both(f, a, b)) => {
+            super::replay::binary(f, at(a), at(b))
+        }
     })
 }
 
@@ -160,7 +205,9 @@ fn later<'a, S: Scalar>(rule: Rule, own_row: usize, k: usize, row: &impl Fn(usiz
     let from_first = |x: usize, y: usize| convolution(&row(x)[1..=k], &row(y)[..k]);
     let between = |x: usize, y: usize| convolution(&row(x)[1..k], &row(y)[1..k]);
     Some(match rule {
-        Rule::Constant(_) | Rule::Input => return None,
+        Rule::Constant(_) | Rule::Input | Rule::Value(_) | Rule::Condition(_) | Rule::Choice(..) => {
+            return None;
+        }
         Rule::Sum(a, b) => at(a) + at(b),
         Rule::Difference(a, b) => at(a) - at(b),
         Rule::Negative(a) => -at(a),
@@ -237,11 +284,19 @@ impl Rules {
     }
 
     /// The row of a node whose operands have theirs.
-    fn translate(&mut self, node: Node) -> Result<usize, &'static str> {
+    fn translate(&mut self, node: Node, smooth: bool) -> Result<usize, &'static str> {
         let at = |rules: &Self, i: u32| rules.place[i as usize];
         Ok(match node {
             Node::Constant(bits) => self.push(Rule::Constant(f64::from_bits(bits))),
             Node::Input(i) => i as usize,
+            Node::Unary(f, a) if !smooth => {
+                let start = Start::Of(f, at(self, a));
+                self.push(Rule::Value(start))
+            }
+            Node::Binary(f, a, b) if !smooth => {
+                let start = Start::Both(f, at(self, a), at(self, b));
+                self.push(Rule::Value(start))
+            }
             Node::Unary(f, a) => {
                 let a = at(self, a);
                 self.unary(f, a)?
@@ -254,7 +309,30 @@ impl Rules {
                 let a = at(self, a);
                 self.whole_power(a, n)
             }
-            _ => return Err("a choice between cases"),
+            Node::Less(a, b) => {
+                let condition = Condition::Less(at(self, a), at(self, b));
+                self.push(Rule::Condition(condition))
+            }
+            Node::LessOrEqual(a, b) => {
+                let condition = Condition::LessOrEqual(at(self, a), at(self, b));
+                self.push(Rule::Condition(condition))
+            }
+            Node::And(a, b) => {
+                let condition = Condition::And(at(self, a), at(self, b));
+                self.push(Rule::Condition(condition))
+            }
+            Node::Or(a, b) => {
+                let condition = Condition::Or(at(self, a), at(self, b));
+                self.push(Rule::Condition(condition))
+            }
+            Node::Not(a) => {
+                let condition = Condition::Not(at(self, a));
+                self.push(Rule::Condition(condition))
+            }
+            Node::Select(mask, a, b) => {
+                let choice = Rule::Choice(at(self, mask), at(self, a), at(self, b));
+                self.push(choice)
+            }
         })
     }
 

@@ -40,6 +40,17 @@ fn every_function_has_its_series() {
     check("algebra", |x| (-x + 2.0) / (x * 3.0 - 7.0) - x / 4.0, |x| (-x + 2.0) / (x * 3.0 - 7.0) - x / 4.0);
 }
 
+/// A choice between cases is that of the start.
+#[test]
+fn a_choice_has_the_series_of_its_case() {
+    let tape = Tape::record(2, |x| vec![Traced::select(x[1].abs().lt(Traced::from(1.0)), x[1], -x[1])]);
+    let mut series = Taylor::<f64>::new(&tape, 3).unwrap();
+    series.expand(0.0, &[-0.5]);
+    assert_eq!(series.of(0), [-0.5, -0.5, -0.25, -0.25 / 3.0]);
+    series.expand(0.0, &[-1.5]);
+    assert_eq!(series.of(0), [-1.5, 1.5, -0.75, 0.25]);
+}
+
 /// Powers of whole exponent need no base that is not zero.
 #[test]
 fn a_square_has_its_series_at_zero() {
@@ -56,6 +67,6 @@ fn what_has_no_series_is_refused() {
     assert_eq!(refusal(|x| x.abs()), Some("an absolute value"));
     assert_eq!(refusal(|x| x.sign()), Some("a sign"));
     assert_eq!(refusal(|x| x.larger(x * x)), Some("the larger or smaller of two"));
-    assert_eq!(refusal(|x| Traced::select(x.lt(x * x), x, -x)), Some("a choice between cases"));
+    assert_eq!(refusal(|x| Traced::select(x.abs().lt(x * x), x, -x)), None);
     assert_eq!(refusal(|x| x * x), None);
 }
