@@ -30,7 +30,7 @@ static CARD: MethodCard = MethodCard {
 };
 
 /// For tolerances from 1e-10 to 1e-15, orders from 13 to 18 would cost least; a longer series takes longer steps.
-const ORDER: usize = 20;
+const ORDER: u8 = 20;
 
 impl Method for Taylor {
     fn card(&self) -> &'static MethodCard {
@@ -41,7 +41,7 @@ impl Method for Taylor {
     fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let equations = options.equations.as_ref().filter(|tape| tape.inputs() == shape.full() + 1);
         Steps {
-            series: equations.and_then(|tape| Series::new(tape, ORDER).ok()),
+            series: equations.and_then(|tape| Series::new(tape, ORDER.into()).ok()),
             known: false,
             terms: vec![S::from(0.0); shape.full()],
             evaluations: 0,
@@ -69,7 +69,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         };
         if !self.known {
             series.expand(step.t, step.y);
-            self.evaluations += ORDER as u64;
+            self.evaluations += u64::from(ORDER);
             self.known = true;
         }
         for (i, out) in step.out.iter_mut().enumerate() {
@@ -83,10 +83,10 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn error(&mut self, h: S, weights: &[S]) -> S {
         let Some(series) = &self.series else { return S::from(f64::NAN) };
-        let power = h.powi(ORDER as i32 - 1);
-        let mut size = |order: usize, power: S| {
+        let power = h.powi(i32::from(ORDER) - 1);
+        let mut size = |order: u8, power: S| {
             for (i, term) in self.terms.iter_mut().enumerate() {
-                *term = series.of(i)[order] * power;
+                *term = series.of(i)[usize::from(order)] * power;
             }
             norm(&self.terms, weights)
         };
@@ -99,7 +99,9 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         let mut power = h;
         let terms = (1..=ORDER).map(|order| {
             let terms = (0..y.len()).map(|i| {
-                self.series.as_ref().map_or(S::from(f64::NAN), |series| series.of(i)[order] * power)
+                self.series
+                    .as_ref()
+                    .map_or(S::from(f64::NAN), |series| series.of(i)[usize::from(order)] * power)
             });
             let terms = terms.collect();
             power = power * h;
