@@ -8,7 +8,7 @@ fn plan(system: &str, method: &str, start: &[(&str, f64)], dt: f64, until: f64) 
     let mut scenario = Scenario::of(system);
     scenario.method = Some(method.into());
     scenario.start = start.iter().map(|(name, x)| ((*name).into(), Value::number(*x))).collect();
-    let settings = [("dt", dt), ("until", until), ("every", until / 100.0)];
+    let settings = [("dt", dt), ("until", until), ("every", dt.larger(until / 100.0))];
     scenario.run = settings.iter().map(|(name, x)| ((*name).into(), Value::number(*x))).collect();
     Plan::new(&scenario).expect("a plan")
 }
