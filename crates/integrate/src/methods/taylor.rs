@@ -39,42 +39,70 @@ impl Method for Taylor {
     type Steps<S: Scalar + Send> = Steps<S>;
 
     fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
-        let equations = options.equations.as_ref().filter(|tape| tape.inputs() == shape.full() + 1);
+        let full = shape.full();
+        let equations = options.equations.as_ref().filter(|tape| tape.inputs() == full + 1);
+        let series = equations.and_then(|tape| Series::new(tape, ORDER.into()).ok());
         Steps {
-            series: equations.and_then(|tape| Series::new(tape, ORDER.into()).ok()),
+            rows: series.map_or(vec![], |series| vec![series; shape.rows]),
+            places: (0..shape.rows).map(|row| (0..full).map(|j| shape.place(row, j)).collect()).collect(),
             known: false,
-            terms: vec![S::from(0.0); shape.full()],
+            terms: vec![S::from(0.0); shape.size()],
             evaluations: 0,
         }
     }
 }
 
-/// The series, and whether it is that of the step's start.
+/// The series, and whether they are those of the step's start.
 pub struct Steps<S: Scalar> {
-    /// None without equations: its steps end in NaN (a [`drive`](crate::drive) refuses such a run).
-    series: Option<Series<S>>,
+    /// A series a row. None without equations: the steps end in NaN (a [`drive`](crate::drive) refuses such a run).
+    rows: Vec<Series<S>>,
+    /// Where the numbers of each row stand.
+    places: Vec<Vec<usize>>,
     known: bool,
-    /// The terms of one order.
+    /// A row's state, or the terms of one order.
     terms: Vec<S>,
     /// A coefficient of all rates counts as an evaluation.
     evaluations: u64,
 }
 
+impl<S: Scalar> Steps<S> {
+    /// The terms of an order, of all rows.
+    #[inline(always)]
+    fn terms(&mut self, order: u8, power: S) -> &[S] {
+        for (series, places) in self.rows.iter().zip(&self.places) {
+            for (i, &place) in places.iter().enumerate() {
+                self.terms[place] = series.of(i)[usize::from(order)] * power;
+            }
+        }
+        &self.terms
+    }
+
+    #[inline(always)]
+    fn expand(&mut self, t: S, y: &[S]) {
+        for (series, places) in self.rows.iter_mut().zip(&self.places) {
+            for (term, &place) in self.terms.iter_mut().zip(places) {
+                *term = y[place];
+            }
+            series.expand(t, &self.terms[..places.len()]);
+        }
+        self.evaluations += u64::from(ORDER);
+        self.known = true;
+    }
+}
+
 impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
-        let Some(series) = &mut self.series else {
-            step.out.fill(S::from(f64::NAN));
-            return Ok(());
-        };
         if !self.known {
-            series.expand(step.t, step.y);
-            self.evaluations += u64::from(ORDER);
-            self.known = true;
+            self.expand(step.t, step.y);
         }
-        for (i, out) in step.out.iter_mut().enumerate() {
-            let (y, rest) = series.of(i).split_at(1);
-            *out = y[0] + step.h * rest.iter().rev().fold(S::from(0.0), |sum, c| sum * step.h + *c);
+        step.out.fill(S::from(f64::NAN));
+        for (series, places) in self.rows.iter().zip(&self.places) {
+            for (i, &place) in places.iter().enumerate() {
+                let (y, rest) = series.of(i).split_at(1);
+                let sum = rest.iter().rev().fold(S::from(0.0), |sum, c| sum * step.h + *c);
+                step.out[place] = y[0] + step.h * sum;
+            }
         }
         Ok(())
     }
@@ -82,32 +110,20 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     /// The larger of the last two terms: one of them may be missing by symmetry.
     #[inline(always)]
     fn error(&mut self, h: S, weights: &[S]) -> S {
-        let Some(series) = &self.series else { return S::from(f64::NAN) };
         let power = h.powi(i32::from(ORDER) - 1);
-        let mut size = |order: u8, power: S| {
-            for (i, term) in self.terms.iter_mut().enumerate() {
-                *term = series.of(i)[usize::from(order)] * power;
-            }
-            norm(&self.terms, weights)
-        };
-        let before = size(ORDER - 1, power);
-        size(ORDER, power * h).larger(before)
+        let before = norm(self.terms(ORDER - 1, power), weights);
+        norm(self.terms(ORDER, power * h), weights).larger(before)
     }
 
     #[inline(always)]
     fn dense(&mut self, _field: &dyn Field<S>, t: S, y: &[S], h: S, end: &[S]) -> Dense<S> {
-        let mut power = h;
+        let mut power = S::from(1.0);
         let terms = (1..=ORDER).map(|order| {
-            let terms = (0..y.len()).map(|i| {
-                self.series
-                    .as_ref()
-                    .map_or(S::from(f64::NAN), |series| series.of(i)[usize::from(order)] * power)
-            });
-            let terms = terms.collect();
             power = power * h;
-            terms
+            self.terms(order, power).to_vec()
         });
-        Dense::series(t, h, y, end, terms.collect())
+        let terms = terms.collect();
+        Dense::series(t, h, y, end, terms)
     }
 
     #[inline(always)]
