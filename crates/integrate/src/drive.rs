@@ -93,7 +93,14 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
         () if !run.samples.is_sensible() => {
             Some("the end of a run and the time between samples must be finite numbers")
         }
+        () if !knows_equations(run) => Some("this method needs the recorded equations of just this state"),
         () if !pace => Some("a step must be above zero, a tolerance not below"),
         () => None,
     }
+}
+
+/// Whether the equations of these states were given, and not those of others, where the method needs them.
+fn knows_equations(run: &Drive) -> bool {
+    matches!(run.method.card().needs, Needs::Any | Needs::Separable)
+        || run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == run.field.shape().full() + 1)
 }

@@ -6,9 +6,11 @@ use crate::scenario::{FigureSpec, Scenario};
 use crate::value::Value;
 use crate::{catalogue, panel, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
+use precess_scalar::{Tape, Taylor};
 use precess_system::{
     AnySystem, Bind, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
 };
+use std::sync::Arc;
 
 /// How the method steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,6 +101,8 @@ const MOST_SAMPLES: f64 = 1e8;
 const MOST_NUMBERS: f64 = 2e9;
 /// More steps than this take years.
 const MOST_STEPS: f64 = 1e14;
+/// A relative difference between the equations and the Lagrangian's that no rounding makes.
+const BESIDE: f64 = 1e-9;
 
 impl Plan {
     /// Holds a scenario against the cards.
@@ -140,6 +144,7 @@ impl Plan {
             method,
         };
         plan.check_method()?;
+        plan.record_equations()?;
         plan.read_run(&scenario.run)?;
         if plan.method.card().needs == Needs::ClosedForm && !scenario.events.is_empty() {
             return input(format!(
@@ -180,10 +185,9 @@ impl Plan {
         let card = self.method.card();
         let id = self.card.id;
         match card.needs {
-            Needs::Any => return Ok(()),
             Needs::ClosedForm => return self.check_closed_form(),
-            Needs::Separable if self.structure.separable() => return Ok(()),
-            Needs::Separable => {}
+            Needs::Separable if !self.structure.separable() => {}
+            _ => return Ok(()),
         }
         let why = if self.structure.hybrid {
             format!("{id} has events")
@@ -209,6 +213,52 @@ impl Plan {
             Ok(()) => return Ok(()),
         };
         input(format!("method '{method}' needs a closed form of {id}, and {why}: dop853 integrates it"))
+    }
+
+    /// For methods that need them.
+    fn record_equations(&mut self) -> Result<(), Error> {
+        let tape = match self.method.card().needs {
+            Needs::Any | Needs::Separable | Needs::ClosedForm => return Ok(()),
+            Needs::Expression => self.expression()?,
+            Needs::Lagrangian => self.momenta()?,
+        };
+        self.options.equations = Some(Arc::new(tape));
+        Ok(())
+    }
+
+    fn expression(&self) -> Result<Tape, Error> {
+        let tape = precess_system::expression(self.system, &self.values, &self.layout);
+        match Taylor::<f64>::new(&tape, 1) {
+            Ok(_) => Ok(tape),
+            Err(what) => input(format!(
+                "method '{}' needs equations that have a power series, and those of {} contain {what}: dop853 takes \
+                 any (friction set to zero may help)",
+                self.method.card().id,
+                self.card.id
+            )),
+        }
+    }
+
+    fn momenta(&self) -> Result<Tape, Error> {
+        let (method, id) = (self.method.card().id, self.card.id);
+        let Some(momenta) = precess_system::momenta(self.system, &self.values, &self.layout) else {
+            return input(format!(
+                "method '{method}' needs a Lagrangian, and {id} has none: implicit_midpoint takes any system"
+            ));
+        };
+        // At the start and beside it, since a body at rest shows no friction.
+        for shift in [0.0, 0.1, -0.2] {
+            let y: Vec<f64> = self.start.iter().map(|x| x + shift).collect();
+            let missed =
+                precess_system::beside_the_lagrangian(self.system, &self.values, &self.layout, &momenta, &y);
+            if missed > BESIDE {
+                return input(format!(
+                    "method '{method}' needs forces that are all in the Lagrangian, and in {id} there are others: \
+                     implicit_midpoint takes any system (friction set to zero may help)"
+                ));
+            }
+        }
+        Ok(momenta)
     }
 
     fn read_run(&mut self, run: &[(String, Value)]) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 use precess_integrate::{
     AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
 };
-use precess_scalar::Scalar;
+use precess_scalar::{Scalar, Tape};
 use precess_system::{Field, Shape};
+use std::sync::Arc;
 
 /// A system's equations, over every number.
 pub trait Toy: Send + Sync {
@@ -34,6 +35,23 @@ pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound
         rows: 1,
     };
     Bound { toy, shape }
+}
+
+/// A field whose equations can be written down.
+pub trait Known: Field<f64> {
+    /// The defaults, and the equations.
+    fn options(&self) -> Options;
+}
+impl<T: Toy> Known for Bound<T> {
+    fn options(&self) -> Options {
+        let full = self.shape.full();
+        let tape = Tape::record(1 + full, |x| {
+            let mut rates = x[1..].to_vec();
+            self.toy.rate(x[0], &x[1..], &mut rates);
+            rates
+        });
+        Options { equations: Some(Arc::new(tape)), ..Options::default() }
+    }
 }
 
 impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
@@ -153,9 +171,9 @@ pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
 }
 
-/// Every method that needs no closed form.
-pub fn integrators() -> impl Iterator<Item = &'static MethodCard> {
-    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::ClosedForm)
+/// The methods that run on a toy, which has no Lagrangian and, most of them, no closed form.
+pub fn methods() -> impl Iterator<Item = &'static MethodCard> {
+    METHODS.iter().map(|m| m.card()).filter(|m| ![Needs::Lagrangian, Needs::ClosedForm].contains(&m.needs))
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {
