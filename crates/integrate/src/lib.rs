@@ -17,6 +17,7 @@ mod fixed;
 mod method;
 mod methods;
 mod pacer;
+mod roster;
 mod samples;
 mod side_by_side;
 mod stretch;
@@ -33,4 +34,5 @@ pub use method::{
     Stepper, Steps,
 };
 pub use methods::METHODS;
+pub use roster::{Roster, Stepped};
 pub use samples::Samples;

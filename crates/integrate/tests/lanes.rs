@@ -88,7 +88,7 @@ where
             ends[trajectory * size + i] = x.to_bits();
         }
     };
-    block.run(starts, &mut record).expect("converges");
+    block.run(starts, &mut record);
     ends
 }
 
@@ -97,7 +97,9 @@ fn check_block<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: u
 where
     dyn AnyMethod: Steps<S>,
 {
-    let most = Block::<S>::capacity(&pace(id));
+    // With adaptive steps a lane takes the next start as soon as it is free: more of them than there are lanes.
+    let rows = if method(id).card().kind == Kind::Adaptive { 3 } else { 1 };
+    let most = rows * Block::<S>::capacity(&pace(id));
     let starts: Vec<f64> = (0..most * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
     let alone: Vec<u64> = starts.chunks(size).flat_map(|start| ends::<f64>(id, field, start, size)).collect();
     for count in [1, 2, S::LANES, S::LANES + 1, most - 1, most] {
