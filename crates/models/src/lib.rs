@@ -1,6 +1,8 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
+mod attitude;
 mod gravity;
+mod inertia;
 mod oscillators;
 mod pendulums;
 mod rotation;
@@ -42,6 +44,9 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
+    &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::symmetric_body::SymmetricBody,
+    &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
     &tops::free_body::FreeBody,
 ];

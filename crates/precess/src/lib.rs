@@ -4,6 +4,8 @@
 //! an [`Outcome`] with a trajectory, its provenance and the drift of its invariants; [`picture`] turns that
 //! into a [`figure::Figure`].
 
+#[cfg(feature = "analyses")]
+pub mod analyses;
 mod canonical;
 pub mod catalogue;
 mod compare;
@@ -37,7 +39,7 @@ pub use members::{Keep, Members};
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
 pub use run::{Outcome, Provenance, run};
-pub use scenario::{EventSpec, FigureSpec, Scenario};
+pub use scenario::{EventSpec, FigureSpec, Scenario, Words};
 pub use workers::Workers;
 
 pub use precess_integrate as integrate;
