@@ -9,7 +9,7 @@ use crate::side_by_side::SideBySide;
 use crate::stretch::Stretch;
 use crate::{AnyMethod, NoConvergence, Options, Pace, Samples, Step, Stepper, Steps};
 use precess_scalar::{Kernel, Lanes};
-use precess_system::{Field, Shape};
+use precess_system::Field;
 
 /// Rows of a block.
 const ROWS: usize = 8;

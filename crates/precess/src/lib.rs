@@ -6,6 +6,7 @@
 
 #[cfg(feature = "analyses")]
 pub mod analyses;
+pub mod basins;
 mod canonical;
 pub mod catalogue;
 mod compare;
@@ -20,6 +21,7 @@ pub mod json;
 mod members;
 mod picture;
 mod plan;
+mod random;
 mod resolve;
 mod run;
 mod scenario;
