@@ -73,7 +73,12 @@ pub fn basins(arguments: &args::Basins) -> Result<(), Failure> {
         for line in found.summary() {
             let _ = writeln!(io::stderr(), "  {line}");
         }
-        let _ = writeln!(io::stderr(), "  {} starts in {:.2} s", found.labels.len(), began.elapsed().as_secs_f64());
+        let _ = writeln!(
+            io::stderr(),
+            "  {} starts in {:.2} s",
+            found.labels.len(),
+            began.elapsed().as_secs_f64()
+        );
     }
     if found.interrupted {
         return Err(Failure::Failed("interrupted; the starts that were not reached are undecided".into()));
@@ -120,7 +125,8 @@ fn csv(out: &mut impl Write, basins: &Basins) -> io::Result<()> {
 fn npz(out: &mut (impl Write + Seek), basins: &Basins) -> io::Result<()> {
     let mut archive = npyz::npz::NpzWriter::new(out);
     let mut array = |name: &str, shape: &[u64], numbers: &mut dyn Iterator<Item = f64>| -> io::Result<()> {
-        let mut array = archive.array(name, FileOptions::default())?.default_dtype().shape(shape).begin_nd()?;
+        let mut array =
+            archive.array(name, FileOptions::default())?.default_dtype().shape(shape).begin_nd()?;
         array.extend(numbers)?;
         array.finish()
     };
@@ -132,13 +138,19 @@ fn npz(out: &mut (impl Write + Seek), basins: &Basins) -> io::Result<()> {
     let size = basins.plan.layout.shape().state() as u64;
     let states = basins.attractors.iter().flat_map(|a| a.state.iter().copied());
     array("attractors", &[basins.attractors.len() as u64, size], &mut { states })?;
-    let mut labels = archive.array("label", FileOptions::default())?.default_dtype().shape(&shape).begin_nd()?;
+    let mut labels =
+        archive.array("label", FileOptions::default())?.default_dtype().shape(&shape).begin_nd()?;
     labels.extend(basins.labels.iter().copied())?;
     labels.finish()?;
-    for (name, text) in [("scenario", scenario_toml(&basins.plan)), ("version", env!("CARGO_PKG_VERSION").into())] {
+    for (name, text) in
+        [("scenario", scenario_toml(&basins.plan)), ("version", env!("CARGO_PKG_VERSION").into())]
+    {
         let bytes = text.as_bytes();
-        let mut array =
-            archive.array(name, FileOptions::default())?.default_dtype().shape(&[bytes.len() as u64]).begin_nd()?;
+        let mut array = archive
+            .array(name, FileOptions::default())?
+            .default_dtype()
+            .shape(&[bytes.len() as u64])
+            .begin_nd()?;
         array.extend(bytes.iter().copied())?;
         array.finish()?;
     }

@@ -79,7 +79,8 @@ where
         for row in 0..shape.rows {
             for j in 0..full {
                 // Lanes that are left over repeat the last trajectory.
-                let trajectory = |lane: usize| if row * S::LANES + lane < last { row * S::LANES + lane } else { last };
+                let trajectory =
+                    |lane: usize| if row * S::LANES + lane < last { row * S::LANES + lane } else { last };
                 y[shape.place(row, j)] = S::from_lanes(|lane| starts[trajectory(lane) * full + j]);
             }
         }

@@ -86,7 +86,9 @@ where
 
     fn done_by(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Members {
         let block = self.block(threads);
-        let range = |k: usize| k * block..if (k + 1) * block < self.members() { (k + 1) * block } else { self.members() };
+        let range = |k: usize| {
+            k * block..if (k + 1) * block < self.members() { (k + 1) * block } else { self.members() }
+        };
         let blocks = self.members().div_ceil(block);
         let mut parts: Vec<Option<Part>> = vec![None; blocks];
         let mut done = 0;

@@ -85,8 +85,8 @@ where
 
     fn chunk(&self, members: Range<usize>) -> Vec<Fate> {
         let first = members.start;
-        let mut pursuit =
-            Pursuit { chase: self, members: members.clone(), first, fates: vec![None; members.len()], gate: Gate::new(self.judge) };
+        let (fates, gate, rest) = (vec![None; members.len()], Gate::new(self.judge), vec![[0, 1]; S::LANES]);
+        let mut pursuit = Pursuit { chase: self, members: members.clone(), first, fates, gate, rest };
         let (method, options, samples) = (self.plan.method, self.plan.options, self.samples);
         Block { field: &*self.field, method, options, samples, pace: &self.pace }.feed(&mut pursuit);
         let fates = pursuit.fates.into_iter().zip(members);
@@ -118,7 +118,13 @@ struct Pursuit<'c, 'a, S> {
     first: usize,
     fates: Vec<Option<Fate>>,
     gate: Gate<S>,
+    /// For each lane, the looks that are still left out, and how many the next fruitless one will cost: a motion that
+    /// the gate lets through again and again is looked at more and more rarely.
+    rest: Vec<[u32; 2]>,
 }
+
+/// The most looks in a row that are left out.
+const MOST_REST: u32 = 64;
 
 impl<S: Lanes> Roster<S> for Pursuit<'_, '_, S>
 where
@@ -151,6 +157,10 @@ where
         let mut over = 0;
         for lane in (0..S::LANES).filter(|lane| lanes >> lane & 1 == 1) {
             let Some(member) = stepped.members[lane] else { continue };
+            if self.rest[lane][0] > 0 {
+                self.rest[lane][0] -= 1;
+                continue;
+            }
             let y: Vec<f64> = stepped.y.iter().map(|y| y.lanes()[lane]).collect();
             let judge = self.chase.judge;
             let verdict = if judge.strobes() {
@@ -161,6 +171,10 @@ where
             if let Some(verdict) = verdict {
                 self.fates[member - self.first] = Some(Fate::Judged(verdict, stepped.t.lanes()[lane]));
                 over |= 1 << lane;
+                self.rest[lane] = [0, 1];
+            } else {
+                let longer = self.rest[lane][1];
+                self.rest[lane] = [longer, if 2 * longer < MOST_REST { 2 * longer } else { MOST_REST }];
             }
         }
         over

@@ -69,7 +69,9 @@ impl<'a> Ground<'a> {
         if plan.structure.time_enters {
             ground.period = ground.find_period();
             if ground.period.is_none() {
-                return input(format!("time enters the equations of {id} without a period: nothing stays there"));
+                return input(format!(
+                    "time enters the equations of {id} without a period: nothing stays there"
+                ));
             }
         }
         Ok(ground)
@@ -99,7 +101,8 @@ impl<'a> Ground<'a> {
         let mut random = Random::new(seed);
         let middle = |(low, high): &(f64, f64)| 0.5 * (low + high);
         let centre: Vec<f64> = self.range.iter().map(middle).collect();
-        let state = |_| (0..self.size).map(|i| centre[i] + 1.5 * self.unit[i] * random.between(-1.0, 1.0)).collect();
+        let state =
+            |_| (0..self.size).map(|i| centre[i] + 1.5 * self.unit[i] * random.between(-1.0, 1.0)).collect();
         (0..TRIALS).map(state).collect()
     }
 

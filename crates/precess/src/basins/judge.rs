@@ -71,7 +71,8 @@ impl<'a> Judge<'a> {
             ));
         }
         let largest = |y: &f64, most: f64| if y.abs() > most { y.abs() } else { most };
-        let coordinates = ground.range[..ground.coordinates].iter().zip(&ground.turning).filter(|(_, turns)| !**turns);
+        let coordinates =
+            ground.range[..ground.coordinates].iter().zip(&ground.turning).filter(|(_, turns)| !**turns);
         let size = coordinates.fold(0.0, |most, ((low, high), _)| largest(low, largest(high, most)));
         let far = if size > 0.0 { FAR * size } else { f64::INFINITY };
         let mut judge = Self {
@@ -115,7 +116,8 @@ impl<'a> Judge<'a> {
             return false;
         }
         if self.energy == Energy::Sinks && ground.coordinates <= 3 {
-            let end = wells::descend(ground, &y[..ground.coordinates], &ground.unit[..ground.coordinates], 0.02);
+            let end =
+                wells::descend(ground, &y[..ground.coordinates], &ground.unit[..ground.coordinates], 0.02);
             if end.is_some_and(|end| wells::add(&self.ground, &mut self.minima, &end)) {
                 let before = self.wells.len();
                 self.add_well(self.minima.len() - 1);
@@ -180,6 +182,17 @@ impl<'a> Judge<'a> {
         None
     }
 
+    /// The verdict on a motion at its end: it may be anywhere on a cycle that it has reached.
+    pub fn look_round(&self, y: &[f64]) -> Option<Verdict> {
+        let cycles = self.attractors.iter().enumerate().filter_map(|(k, attractor)| match &attractor.hold {
+            Hold::Traps(traps) if attractor.kind == Kind::Cycle => Some((k, traps.first()?)),
+            _ => None,
+        });
+        let mut meets =
+            cycles.filter_map(|(k, trap)| Some(Verdict::Settled(k, trap.meets(&self.ground, y)?)));
+        self.look(y).or_else(|| meets.next())
+    }
+
     /// A cycle is only looked at from near by: elsewhere its plane is another place.
     fn is_near(&self, trap: &Trap, y: &[f64]) -> bool {
         if !matches!(trap.meeting, Meeting::Section(..)) {
@@ -210,7 +223,8 @@ impl<'a> Judge<'a> {
         }
         // No straight way down: the way that water takes.
         let end = wells::descend(ground, q, &ground.unit[..ground.coordinates], 0.02)?;
-        let drains = self.wells.iter().enumerate().find_map(|(k, w)| Some((k, w.drains(ground, &end, energy)?)));
+        let drains =
+            self.wells.iter().enumerate().find_map(|(k, w)| Some((k, w.drains(ground, &end, energy)?)));
         drains.and_then(|(k, turns)| held(k, turns))
     }
 }

@@ -72,7 +72,9 @@ pub(super) fn is_positive(p: &Matrix) -> bool {
 
 /// z.p z
 pub(super) fn form(p: &Matrix, z: &[f64]) -> f64 {
-    p.iter().zip(z).fold(0.0, |sum, (row, x)| sum + x * row.iter().zip(z).fold(0.0, |sum, (p, z)| sum + p * z))
+    p.iter()
+        .zip(z)
+        .fold(0.0, |sum, (row, x)| sum + x * row.iter().zip(z).fold(0.0, |sum, (p, z)| sum + p * z))
 }
 
 /// The derivatives of a vector function by central differences, column by column; `unit` is the scale of each argument.

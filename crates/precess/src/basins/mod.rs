@@ -10,6 +10,7 @@ mod gate;
 mod ground;
 mod judge;
 mod matrix;
+mod report;
 mod statistics;
 mod traps;
 mod wells;
@@ -127,7 +128,11 @@ pub fn basins(
         settle(&mut judge, ends);
     }
     let mut share = |done: usize| progress(done as f64 / members as f64);
-    let fates = if interrupted { vec![Fate::Interrupted; members] } else { chase(&judge, &starts, workers, &mut share) };
+    let fates = if interrupted {
+        vec![Fate::Interrupted; members]
+    } else {
+        chase(&judge, &starts, workers, &mut share)
+    };
     interrupted |= fates.contains(&Fate::Interrupted);
     let fates = settle(&mut judge, fates);
     let proof = match judge.wells.is_empty() {
@@ -170,7 +175,7 @@ fn settle(judge: &mut Judge, mut fates: Vec<Fate>) -> Vec<Fate> {
     let mut searches = 0;
     for k in 0..fates.len() {
         let Fate::Open(end) = &fates[k] else { continue };
-        if let Some(verdict) = judge.look(end) {
+        if let Some(verdict) = judge.look_round(end) {
             fates[k] = Fate::Judged(verdict, until);
             continue;
         }

@@ -72,8 +72,12 @@ impl Basins {
         let marks = match (place(x), place(y)) {
             (Some(i), Some(j)) => {
                 let inside = |x: f64, (low, high): (f64, f64)| low <= x && x <= high;
-                let seen = self.attractors.iter().filter(|a| inside(a.state[i], range(x)) && inside(a.state[j], range(y)));
-                seen.map(|a| Mark { x: a.state[i], y: a.state[j], sign: Sign::Dot, ..Mark::default() }).collect()
+                let seen = self
+                    .attractors
+                    .iter()
+                    .filter(|a| inside(a.state[i], range(x)) && inside(a.state[j], range(y)));
+                seen.map(|a| Mark { x: a.state[i], y: a.state[j], sign: Sign::Dot, ..Mark::default() })
+                    .collect()
             }
             _ => vec![],
         };

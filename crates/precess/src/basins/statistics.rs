@@ -57,37 +57,29 @@ fn mean(numbers: &[f64]) -> Option<Estimate> {
 /// where the labels are too uniform or the map too small.
 pub fn uncertainty(labels: &[i32], columns: usize) -> Option<Estimate> {
     let rows = labels.len() / columns;
-    let smaller = if rows < columns { rows } else { columns };
+    let distances: Vec<usize> =
+        (0..usize::BITS).map(|k| 1 << k).take_while(|d| d * 8 <= rows && d * 8 <= columns).collect();
+    let margin = *distances.last()?;
+    let at = |row: usize, column: usize| labels[row * columns + column];
     let mut points = vec![];
-    let mut distance = 1;
-    while distance * 8 <= smaller {
+    for d in distances {
         let (mut uncertain, mut tried) = (0, 0);
-        for row in 0..rows {
-            for column in 0..columns {
-                let own = labels[row * columns + column];
-                let differs = |r: Option<usize>, c: Option<usize>| {
-                    let there = r.filter(|r| *r < rows).zip(c.filter(|c| *c < columns));
-                    let other = there.map(|(r, c)| labels[r * columns + c]).filter(|l| *l != -1 && own != -1)?;
-                    Some(other != own)
-                };
-                let around = [
-                    differs(Some(row), column.checked_sub(distance)),
-                    differs(Some(row), column.checked_add(distance)),
-                    differs(row.checked_sub(distance), Some(column)),
-                    differs(row.checked_add(distance), Some(column)),
-                ];
-                // Only points with all four neighbours: the same at every distance.
-                if around.iter().all(Option::is_some) {
+        // The same points at every distance: those that have all their neighbours.
+        for row in margin..rows - margin {
+            for column in margin..columns - margin {
+                let own = at(row, column);
+                let around =
+                    [at(row, column - d), at(row, column + d), at(row - d, column), at(row + d, column)];
+                if own != -1 && !around.contains(&-1) {
                     tried += 1;
-                    uncertain += usize::from(around.contains(&Some(true)));
+                    uncertain += usize::from(around.iter().any(|other| *other != own));
                 }
             }
         }
         if uncertain > 0 && uncertain < tried {
             let share = uncertain as f64 / tried as f64;
-            points.push((Scalar::ln(distance as f64), Scalar::ln(share), uncertain as f64));
+            points.push((Scalar::ln(d as f64), Scalar::ln(share), uncertain as f64));
         }
-        distance *= 2;
     }
     line(&points)
 }

@@ -69,6 +69,16 @@ impl Trap {
         }
     }
 
+    /// The same for a motion that may be anywhere on a cycle: within a period it passes the plane.
+    pub fn meets(&self, ground: &Ground, y: &[f64]) -> Option<Vec<i32>> {
+        let Meeting::Section(normal, time) = &self.meeting else { return None };
+        let turns = ground.turns_between(&self.centre, y);
+        let centre = ground.turned(&self.centre, &turns);
+        let passages = ground.passages(y, *time, &centre, normal);
+        let inside = |y: &Vec<f64>| form(&self.p, &self.offset(ground, y).0) < self.size;
+        passages.iter().any(|(_, y)| inside(y)).then_some(turns)
+    }
+
     /// The largest neighbourhood in which `shrinks` holds; none where it holds nowhere.
     fn grow(mut self, ground: &Ground, shrinks: &dyn Fn(&[f64], f64) -> bool) -> Option<Self> {
         let mut random = Random::new(5);
@@ -85,7 +95,9 @@ impl Trap {
                 let mut z = direction.clone();
                 if let Some(normal) = &plane {
                     // Into the plane: the normal belongs to the state, z is in units.
-                    let across = |z: &[f64]| z.iter().zip(&ground.unit).zip(normal).fold(0.0, |s, ((z, u), n)| s + z * u * n);
+                    let across = |z: &[f64]| {
+                        z.iter().zip(&ground.unit).zip(normal).fold(0.0, |s, ((z, u), n)| s + z * u * n)
+                    };
                     let own: Vec<f64> = normal.iter().zip(&ground.unit).map(|(n, u)| n * u).collect();
                     let factor = across(&z) / own.iter().fold(0.0, |s, x| s + x * x);
                     for (z, own) in z.iter_mut().zip(&own) {
@@ -97,8 +109,13 @@ impl Trap {
                     let scale = shell * radius / length;
                     let scaled: Vec<f64> = z.iter().map(|z| z * scale).collect();
                     let square = scaled.iter().fold(0.0, |sum, z| sum + z * z);
-                    let y: Vec<f64> =
-                        self.centre.iter().zip(&scaled).zip(&ground.unit).map(|((c, z), u)| c + z * u).collect();
+                    let y: Vec<f64> = self
+                        .centre
+                        .iter()
+                        .zip(&scaled)
+                        .zip(&ground.unit)
+                        .map(|((c, z), u)| c + z * u)
+                        .collect();
                     shrinks(&y, square)
                 })
             });

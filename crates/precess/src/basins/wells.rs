@@ -13,8 +13,10 @@ use std::collections::{BTreeMap, BinaryHeap};
 const MARGIN: f64 = 1e-3;
 /// Cells that are filled before a well counts as one without a pass that matters.
 const MOST_CELLS: usize = 40_000;
-/// Points along a line that is held against the pass.
-const ALONG: usize = 24;
+/// Water that has run so many times the range of the starts finds no bottom.
+const FARTHEST: f64 = 1e3;
+/// Points along a line that leads down.
+const ALONG: usize = 32;
 /// Two passes that agree to this share of the depth are one.
 const AGREE: f64 = 1e-8;
 
@@ -67,12 +69,21 @@ pub(super) fn add(ground: &Ground, found: &mut Vec<Vec<f64>>, q: &[f64]) -> bool
     new
 }
 
-/// Downhill in steps of at most `h` units to a minimum; none where there is none.
+/// Downhill in steps of at most `h` units (longer ones far from the starts) to a minimum; none where there is none.
 pub(super) fn descend(ground: &Ground, q: &[f64], unit: &[f64], h: f64) -> Option<Vec<f64>> {
-    let size = |d: &[f64]| d.iter().zip(unit).fold(0.0, |most, (d, u)| if (d / u).abs() > most { (d / u).abs() } else { most });
+    let size = |d: &[f64]| {
+        d.iter().zip(unit).fold(0.0, |most, (d, u)| if (d / u).abs() > most { (d / u).abs() } else { most })
+    };
+    let middle: Vec<f64> = ground.range[..q.len()].iter().map(|(low, high)| 0.5 * (low + high)).collect();
     let (mut q, mut length) = (q.to_vec(), h);
     let mut height = ground.potential(&q);
-    for step in 0..4000 {
+    for step in 0..1000 {
+        let turns = ground.turns_between(&middle, &q);
+        let far = ground.distance(&ground.turned(&middle, &turns), &q);
+        if far > FARTHEST {
+            return None;
+        }
+        let h = if far > 1.0 { h * far } else { h };
         let force = ground.force(&q);
         let strength = size(&force);
         if !strength.is_finite() || !height.is_finite() {
@@ -82,7 +93,10 @@ pub(super) fn descend(ground: &Ground, q: &[f64], unit: &[f64], h: f64) -> Optio
             && let Some(root) = ground.root(&q, &|q| Some(ground.force(q)))
         {
             let way: Vec<f64> = root.iter().zip(&q).map(|(a, b)| a - b).collect();
-            if size(&way) <= h && ground.potential(&root) <= height + 1e-12 * height.abs() && is_minimum(ground, &root) {
+            if size(&way) <= h
+                && ground.potential(&root) <= height + 1e-12 * height.abs()
+                && is_minimum(ground, &root)
+            {
                 return Some(root);
             }
         }
@@ -103,7 +117,9 @@ pub(super) fn descend(ground: &Ground, q: &[f64], unit: &[f64], h: f64) -> Optio
 
 /// Second derivatives of the potential.
 fn curvature(ground: &Ground, q: &[f64]) -> Option<Vec<Vec<f64>>> {
-    let slope = |q: &[f64]| Some(jacobian(q, &ground.unit, 1e-4, |q| Some(vec![ground.potential(q)]))?.swap_remove(0));
+    let slope = |q: &[f64]| {
+        Some(jacobian(q, &ground.unit, 1e-4, |q| Some(vec![ground.potential(q)]))?.swap_remove(0))
+    };
     jacobian(q, &ground.unit, 1e-4, slope)
 }
 
@@ -126,7 +142,8 @@ impl Well {
                 saddle.is_some() && found.1.is_some() && (pass - found.0).abs() <= AGREE * (found.0 - floor)
             });
             // Where nothing overflows, the lower of two fillings is safe; otherwise an overflow counts more.
-            let lower = last.filter(|(pass, saddle)| saddle.is_some() == found.1.is_some() && *pass < found.0);
+            let lower =
+                last.filter(|(pass, saddle)| saddle.is_some() == found.1.is_some() && *pass < found.0);
             let both_dry = found.1.is_none() && well.pass.is_finite();
             let best = lower.unwrap_or(found);
             well.pass = best.0;
@@ -153,7 +170,8 @@ impl Well {
         let mut least = f64::INFINITY;
         for other in others {
             for shift in -1..=1 {
-                let turns: Vec<i32> = ground.turning.iter().map(|&turning| i32::from(turning) * shift).collect();
+                let turns: Vec<i32> =
+                    ground.turning.iter().map(|&turning| i32::from(turning) * shift).collect();
                 let far = self.units(&ground.turned(other, &turns), &self.place);
                 if far > 1e-6 && far < least {
                     least = far;
@@ -227,7 +245,10 @@ impl Well {
         let top = at(&highest.1);
         let saddle = ground.root(&top, &|q| Some(ground.force(q))).filter(|saddle| {
             let height = ground.potential(saddle);
-            self.units(saddle, &top) < 4.0 * h && height <= level && height > self.floor && !is_minimum(ground, saddle)
+            self.units(saddle, &top) < 4.0 * h
+                && height <= level
+                && height > self.floor
+                && !is_minimum(ground, saddle)
         });
         match saddle {
             Some(saddle) => (ground.potential(&saddle), Some(saddle)),
@@ -242,17 +263,26 @@ impl Well {
         ground.distance(&ground.turned(&self.place, &turns), q)
     }
 
-    /// The turns to the image of this well that surely holds a motion of this energy at a place: a straight line leads
-    /// down there below the pass. None where that is not so.
+    /// The turns to the image of this well that holds a motion of this energy at a place: below the pass, with a straight
+    /// line that leads down all the way. None where that is not so.
     pub fn holds(&self, ground: &Ground, q: &[f64], energy: f64) -> Option<Vec<i32>> {
+        if !(energy < self.pass) {
+            return None;
+        }
         let turns = ground.turns_between(&self.place, q);
         let floor = ground.turned(&self.place, &turns);
-        let between = |k: usize| -> Vec<f64> {
+        let mut last = ground.potential(q);
+        for k in 1..=ALONG {
             let s = k as f64 / ALONG as f64;
-            q.iter().zip(&floor).map(|(q, f)| q + (f - q) * s).collect()
-        };
-        let below = energy < self.pass && (1..ALONG).all(|k| ground.potential(&between(k)) < self.pass);
-        below.then_some(turns)
+            let between: Vec<f64> = q.iter().zip(&floor).map(|(q, f)| q + (f - q) * s).collect();
+            let height = ground.potential(&between);
+            // Below the pass is not enough: a flat hilltop may hide between two points that are.
+            if !(height <= last + 1e-12 * (self.pass - self.floor)) {
+                return None;
+            }
+            last = height;
+        }
+        Some(turns)
     }
 
     /// The same for a place from which water runs down to `end`.
