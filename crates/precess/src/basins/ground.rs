@@ -167,20 +167,11 @@ impl<'a> Ground<'a> {
         (0..self.coordinates).map(turns).collect()
     }
 
-    /// A state (or its coordinates) so many turns further.
-    pub fn turned(&self, y: &[f64], turns: &[i32]) -> Vec<f64> {
-        let mut y = y.to_vec();
-        for (y, &n) in y.iter_mut().zip(turns) {
-            *y += TAU * f64::from(n);
-        }
-        y
-    }
-
     /// The image of a state in the first turn, from -pi to pi.
     pub fn first_turn(&self, y: &[f64]) -> Vec<f64> {
         let zeros = vec![0.0; self.coordinates];
         let turns: Vec<i32> = self.turns_between(&zeros, y).iter().map(|n| -n).collect();
-        self.turned(y, &turns)
+        turned(y, &turns)
     }
 
     /// Where the motion leads in a time, by `dop853` to 1e-12.
@@ -275,6 +266,15 @@ impl<'a> Ground<'a> {
         }
         if stays { Energy::Stays } else { Energy::Sinks }
     }
+}
+
+/// A state (or its coordinates) so many turns further.
+pub(super) fn turned(y: &[f64], turns: &[i32]) -> Vec<f64> {
+    let mut y = y.to_vec();
+    for (y, &n) in y.iter_mut().zip(turns) {
+        *y += TAU * f64::from(n);
+    }
+    y
 }
 
 fn ranges(starts: &[f64], size: usize) -> Vec<(f64, f64)> {

@@ -1,6 +1,6 @@
 //! Who decides where a motion ends: only by proof.
 
-use super::ground::{Energy, Ground};
+use super::ground::{Energy, Ground, turned};
 use super::traps::{self, Meeting, Trap};
 use super::wells::{self, Well};
 use crate::error::{Error, input};
@@ -95,7 +95,8 @@ impl<'a> Judge<'a> {
 
     fn add_well(&mut self, k: usize) {
         let Some(well) = Well::new(&self.ground, &self.minima[k], &self.minima) else { return };
-        if !(well.pass > well.floor) {
+        let deep = well.pass > well.floor;
+        if !deep {
             return;
         }
         if well.pass > self.highest_pass {
@@ -138,9 +139,9 @@ impl<'a> Judge<'a> {
         };
         let Some((state, mut traps)) = found else { return false };
         let turns = ground.turns_between(&state, &vec![0.0; ground.coordinates]);
-        let state = ground.turned(&state, &turns);
+        let state = turned(&state, &turns);
         for trap in &mut traps {
-            trap.centre = ground.turned(&trap.centre, &turns);
+            trap.centre = turned(&trap.centre, &turns);
         }
         self.attractors.push(Attractor { state, kind, hold: Hold::Traps(traps) });
         true
@@ -199,13 +200,14 @@ impl<'a> Judge<'a> {
             return true;
         }
         let turns = self.ground.turns_between(&trap.centre, y);
-        self.ground.distance(&self.ground.turned(&trap.centre, &turns), y) < NEAR
+        self.ground.distance(&turned(&trap.centre, &turns), y) < NEAR
     }
 
     fn in_well(&self, y: &[f64]) -> Option<Verdict> {
         let ground = &self.ground;
         let energy = ground.energy_of(y);
-        if !(energy < self.highest_pass) {
+        let sunk = energy < self.highest_pass;
+        if !sunk {
             return None;
         }
         let q = &y[..ground.coordinates];

@@ -12,7 +12,8 @@ pub(super) fn solve(mut a: Matrix, mut b: Vec<f64>) -> Option<Vec<f64>> {
         b.swap(k, pivot);
         let largest = a[k].iter().fold(0.0_f64, |most, x| if x.abs() > most { x.abs() } else { most });
         let head = a[k].clone();
-        if !(head[k].abs() > 1e-14 * largest) {
+        let regular = head[k].abs() > 1e-14 * largest;
+        if !regular {
             return None;
         }
         for i in k + 1..n {
@@ -61,7 +62,8 @@ pub(super) fn is_positive(p: &Matrix) -> bool {
     for i in 0..n {
         for j in 0..=i {
             let sum = (0..j).fold(p[i][j], |sum, k| sum - factor[i][k] * factor[j][k]);
-            if i == j && !(sum > 0.0) {
+            let positive = sum > 0.0;
+            if i == j && !positive {
                 return false;
             }
             factor[i][j] = if i == j { sum.sqrt() } else { sum / factor[j][j] };

@@ -22,7 +22,7 @@ use crate::scenario::Scenario;
 use crate::value::Value;
 use crate::workers::Workers;
 use chase::{Fate, chase};
-use ground::Ground;
+use ground::{Ground, turned};
 use judge::{Hold, Judge, Verdict};
 use precess_integrate::Kind as Steps;
 use std::collections::BTreeMap;
@@ -135,9 +135,10 @@ pub fn basins(
     };
     interrupted |= fates.contains(&Fate::Interrupted);
     let fates = settle(&mut judge, fates);
-    let proof = match judge.wells.is_empty() {
-        false => "the energy has sunk below the pass",
-        true => "inside a neighbourhood that nothing leaves",
+    let proof = if judge.wells.is_empty() {
+        "inside a neighbourhood that nothing leaves"
+    } else {
+        "the energy has sunk below the pass"
     };
     let told = tell(&judge, &fates, spec.wrap, plan.until);
     drop(judge);
@@ -217,11 +218,11 @@ fn tell(judge: &Judge, fates: &[Fate], wrap: bool, until: f64) -> Told {
             met.insert(image(*k, turns), 0);
         }
     }
-    let state = |(k, turns): &(usize, Vec<i32>)| ground.turned(&judge.attractors[*k].state, turns);
+    let state = |(k, turns): &(usize, Vec<i32>)| turned(&judge.attractors[*k].state, turns);
     let mut order: Vec<_> = met.keys().cloned().collect();
     order.sort_by(|a, b| before(&state(a), &state(b)));
-    for (label, key) in order.iter().enumerate() {
-        met.insert(key.clone(), label as i32);
+    for (label, key) in (0..).zip(&order) {
+        met.insert(key.clone(), label);
     }
     let attractors = order.iter().map(|key| Attractor {
         state: state(key),

@@ -20,7 +20,7 @@ impl Basins {
     pub fn summary(&self) -> Vec<String> {
         let mut lines = vec![];
         let names = self.plan.layout.state();
-        for (label, attractor) in self.attractors.iter().enumerate().take(MOST_LINES) {
+        for (label, attractor) in (0..).zip(&self.attractors).take(MOST_LINES) {
             let kind = match attractor.kind {
                 Kind::FixedPoint => "fixed point".to_string(),
                 Kind::Driven { periods: 1 } => "cycle of one period".to_string(),
@@ -29,7 +29,7 @@ impl Basins {
             };
             let state = names.iter().zip(&attractor.state);
             let state: Vec<String> = state.map(|(q, x)| format!("{} = {}", q.name, rounded(*x))).collect();
-            let share = percent(fraction(&self.labels, label as i32));
+            let share = percent(fraction(&self.labels, label));
             lines.push(format!("{label:>3} {share}  {kind} at {}", state.join(", ")));
         }
         if self.attractors.len() > MOST_LINES {
@@ -96,15 +96,14 @@ impl Basins {
             marks,
             ..Panel::default()
         };
-        let mut figure = Figure {
+        let undecided = self.labels.iter().filter(|l| **l == UNDECIDED).count();
+        let count = self.labels.len();
+        Figure {
             title: format!("{}: basins of attraction", self.plan.title),
-            subtitle: subtitle(&self.plan),
+            subtitle: format!("{}, {undecided} of {count} starts undecided", subtitle(&self.plan)),
             panels: vec![panel],
             scenario: scenario_toml(&self.plan),
-        };
-        let undecided = self.labels.iter().filter(|l| **l == UNDECIDED).count();
-        figure.subtitle += &format!(", {undecided} of {} starts undecided", self.labels.len());
-        figure
+        }
     }
 
     /// An attractor by its coordinates.

@@ -51,7 +51,7 @@ fn mean(numbers: &[f64]) -> Option<Estimate> {
     Some(Estimate { value, error: (square / (n - 1.0) / n).sqrt() })
 }
 
-/// The uncertainty exponent (C. Grebogi, S. W. McDonald, E. Ott, J. A. Yorke, Phys. Lett. 99A, 415, 1983): the share of
+/// The uncertainty exponent (C. Grebogi, S. W. `McDonald`, E. Ott, J. A. Yorke, Phys. Lett. 99A, 415, 1983): the share of
 /// points with another label at a distance e along either axis grows like e to this power, the dimension of the plane less
 /// that of the boundary. From a line through the logarithms at 1, 2, 4, ... points, weighted by their counts; none
 /// where the labels are too uniform or the map too small.

@@ -4,7 +4,7 @@
 //! linear motion (Lyapunov's equation) shrinks under the whole one as long as z is small: how small is found by trying
 //! the boundary and the inside in many directions. That is a numerical check, not interval arithmetic.
 
-use super::ground::Ground;
+use super::ground::{Ground, turned};
 use super::matrix::{Matrix, form, is_positive, jacobian, of_flow, of_map, solve};
 use crate::random::Random;
 
@@ -48,7 +48,7 @@ impl Trap {
     /// A state from the centre, in units, at the image that lies nearest; and the turns to it.
     fn offset(&self, ground: &Ground, y: &[f64]) -> (Vec<f64>, Vec<i32>) {
         let turns = ground.turns_between(&self.centre, y);
-        let centre = ground.turned(&self.centre, &turns);
+        let centre = turned(&self.centre, &turns);
         (y.iter().zip(&centre).zip(&ground.unit).map(|((y, c), unit)| (y - c) / unit).collect(), turns)
     }
 
@@ -62,7 +62,7 @@ impl Trap {
             Meeting::Always | Meeting::Strobe => inside(y),
             Meeting::Section(normal, time) => {
                 let turns = ground.turns_between(&self.centre, y);
-                let centre = ground.turned(&self.centre, &turns);
+                let centre = turned(&self.centre, &turns);
                 let passages = ground.passages(y, *time, &centre, normal);
                 passages.first().and_then(|(_, y)| inside(y))
             }
@@ -73,7 +73,7 @@ impl Trap {
     pub fn meets(&self, ground: &Ground, y: &[f64]) -> Option<Vec<i32>> {
         let Meeting::Section(normal, time) = &self.meeting else { return None };
         let turns = ground.turns_between(&self.centre, y);
-        let centre = ground.turned(&self.centre, &turns);
+        let centre = turned(&self.centre, &turns);
         let passages = ground.passages(y, *time, &centre, normal);
         let inside = |y: &Vec<f64>| form(&self.p, &self.offset(ground, y).0) < self.size;
         passages.iter().any(|(_, y)| inside(y)).then_some(turns)
@@ -183,7 +183,7 @@ pub(super) fn driven_cycle(ground: &Ground, y: &[f64], period: f64) -> Option<(V
     for n in 1..=MOST_PERIODS {
         here = ground.advance(&here, period)?;
         let turns = ground.turns_between(y, &here);
-        if ground.distance(&ground.turned(y, &turns), &here) < 0.02 {
+        if ground.distance(&turned(y, &turns), &here) < 0.02 {
             periods = n;
             break;
         }
@@ -195,7 +195,7 @@ pub(super) fn driven_cycle(ground: &Ground, y: &[f64], period: f64) -> Option<(V
         }
         // A motion that runs round has come back when only turns have been added.
         let turns: Vec<i32> = ground.turns_between(y, &here).iter().map(|n| -n).collect();
-        Some(ground.turned(&here, &turns))
+        Some(turned(&here, &turns))
     };
     if periods == 0 {
         return None;

@@ -4,9 +4,10 @@
 //! by descending; a pass by filling the well on a grid until it overflows, cell by cell from the lowest on, and then by
 //! Newton's method from the highest cell of the way out; grids are made finer until two passes agree.
 
-use super::ground::Ground;
+use super::ground::{Ground, turned};
 use super::matrix::{is_positive, jacobian};
 use std::cmp::Reverse;
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BinaryHeap};
 
 /// This share of a well's depth below the pass is left unused: it covers errors of the energy and of the pass.
@@ -60,7 +61,7 @@ pub(super) fn add(ground: &Ground, found: &mut Vec<Vec<f64>>, q: &[f64]) -> bool
     let q = ground.first_turn(q);
     let known = |p: &Vec<f64>| {
         let turns = ground.turns_between(p, &q);
-        ground.distance(&ground.turned(p, &turns), &q) < 1e-6
+        ground.distance(&turned(p, &turns), &q) < 1e-6
     };
     let new = !found.iter().any(known);
     if new {
@@ -79,7 +80,7 @@ pub(super) fn descend(ground: &Ground, q: &[f64], unit: &[f64], h: f64) -> Optio
     let mut height = ground.potential(&q);
     for step in 0..1000 {
         let turns = ground.turns_between(&middle, &q);
-        let far = ground.distance(&ground.turned(&middle, &turns), &q);
+        let far = ground.distance(&turned(&middle, &turns), &q);
         if far > FARTHEST {
             return None;
         }
@@ -172,7 +173,7 @@ impl Well {
             for shift in -1..=1 {
                 let turns: Vec<i32> =
                     ground.turning.iter().map(|&turning| i32::from(turning) * shift).collect();
-                let far = self.units(&ground.turned(other, &turns), &self.place);
+                let far = self.units(&turned(other, &turns), &self.place);
                 if far > 1e-6 && far < least {
                     least = far;
                 }
@@ -205,14 +206,13 @@ impl Well {
             }
             level = if height > level { height } else { level };
             for neighbour in neighbours(&cell) {
-                if !parent.contains_key(&neighbour) {
-                    let height = ground.potential(&at(&neighbour));
-                    if height.is_nan() {
-                        return None;
-                    }
-                    rim.push(Reverse((Height(height), neighbour.clone())));
-                    parent.insert(neighbour, cell.clone());
+                let Entry::Vacant(place) = parent.entry(neighbour) else { continue };
+                let height = ground.potential(&at(place.key()));
+                if height.is_nan() {
+                    return None;
                 }
+                rim.push(Reverse((Height(height), place.key().clone())));
+                place.insert(cell.clone());
             }
         }
         None
@@ -260,24 +260,26 @@ impl Well {
     /// How far the nearest image of its lowest point is.
     pub fn distance(&self, ground: &Ground, q: &[f64]) -> f64 {
         let turns = ground.turns_between(&self.place, q);
-        ground.distance(&ground.turned(&self.place, &turns), q)
+        ground.distance(&turned(&self.place, &turns), q)
     }
 
     /// The turns to the image of this well that holds a motion of this energy at a place: below the pass, with a straight
     /// line that leads down all the way. None where that is not so.
     pub fn holds(&self, ground: &Ground, q: &[f64], energy: f64) -> Option<Vec<i32>> {
-        if !(energy < self.pass) {
+        let sunk = energy < self.pass;
+        if !sunk {
             return None;
         }
         let turns = ground.turns_between(&self.place, q);
-        let floor = ground.turned(&self.place, &turns);
+        let floor = turned(&self.place, &turns);
         let mut last = ground.potential(q);
         for k in 1..=ALONG {
             let s = k as f64 / ALONG as f64;
             let between: Vec<f64> = q.iter().zip(&floor).map(|(q, f)| q + (f - q) * s).collect();
             let height = ground.potential(&between);
             // Below the pass is not enough: a flat hilltop may hide between two points that are.
-            if !(height <= last + 1e-12 * (self.pass - self.floor)) {
+            let falls = height <= last + 1e-12 * (self.pass - self.floor);
+            if !falls {
                 return None;
             }
             last = height;
@@ -288,7 +290,7 @@ impl Well {
     /// The same for a place from which water runs down to `end`.
     pub fn drains(&self, ground: &Ground, end: &[f64], energy: f64) -> Option<Vec<i32>> {
         let turns = ground.turns_between(&self.place, end);
-        let here = self.units(&ground.turned(&self.place, &turns), end) < 1e-4;
+        let here = self.units(&turned(&self.place, &turns), end) < 1e-4;
         (here && energy < self.pass).then_some(turns)
     }
 }
