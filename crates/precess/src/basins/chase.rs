@@ -87,7 +87,7 @@ where
         let first = members.start;
         let (fates, gate, rest) = (vec![None; members.len()], Gate::new(self.judge), vec![[0, 1]; S::LANES]);
         let mut pursuit = Pursuit { chase: self, members: members.clone(), first, fates, gate, rest };
-        let (method, options, samples) = (self.plan.method, self.plan.options, self.samples);
+        let (method, options, samples) = (self.plan.method, self.plan.options.clone(), self.samples);
         Block { field: &*self.field, method, options, samples, pace: &self.pace }.feed(&mut pursuit);
         let fates = pursuit.fates.into_iter().zip(members);
         fates.map(|(fate, member)| fate.unwrap_or_else(|| self.alone(member))).collect()

@@ -204,7 +204,7 @@ impl<'a> Ground<'a> {
         let job = Drive {
             field: self.field.as_ref(),
             method: catalogue::method("dop853").ok()?,
-            options: self.plan.options,
+            options: self.plan.options.clone(),
             start: y,
             samples: Samples::new(time, time),
             pace: Pace::Adaptive(Tolerance { rtol: 1e-12, atol: 1e-12, skip }),
