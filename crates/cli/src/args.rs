@@ -42,6 +42,8 @@ pub enum Verb {
     Lyapunov(Analysis),
     /// Finds where a motion passes through a surface (Poincaré section)
     Poincare(Poincare),
+    /// Basins of attraction: where each start of a grid ends, decided only by proof
+    Basins(Basins),
     /// Measures how fast this program is on this machine, ratios first
     Bench(Bench),
     /// Serves the lab to a browser on this machine and prints its address; Ctrl-C ends it
@@ -164,6 +166,23 @@ pub struct Poincare {
     /// Quantity up the picture
     #[arg(long, value_name = "NAME")]
     pub y: Option<String>,
+}
+
+/// Basins of attraction.
+#[derive(Args)]
+pub struct Basins {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// Starts along one quantity, both ends included: x=-2:2:200. Once or twice; the first runs across the picture
+    #[arg(long = "grid", value_name = "NAME=LOW:HIGH:N", allow_hyphen_values = true, required = true)]
+    pub grid: Vec<String>,
+    /// Attractors that differ by whole turns are one
+    #[arg(long)]
+    pub wrap: bool,
+    /// Goes on where the work is very large
+    #[arg(long)]
+    pub yes: bool,
 }
 
 /// A measurement.

@@ -2,6 +2,7 @@
 
 mod analyse;
 mod args;
+mod basins;
 mod bench;
 mod compare;
 mod draw;
@@ -30,6 +31,7 @@ fn main() -> ExitCode {
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
+        Verb::Basins(arguments) => basins::basins(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

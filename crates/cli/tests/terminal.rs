@@ -465,3 +465,46 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
     }
 }
+
+#[test]
+fn basins_are_a_table_of_labels() {
+    let folder = Folder::new("basins");
+    let (npz, svg) = (folder.file("a.npz"), folder.file("a.svg"));
+    let arguments = ["basins", "potential_well", "-p", "u=[0; 0; -0.5; 0; 0.25]", "-p", "b=0.5"];
+    let grid = ["--grid", "x=-1.5:1.5:4", "--grid", "x_dot=-0.1:0.1:3"];
+    let found = precess(&[&arguments[..], &grid, &["-o", "-", "--plot", &svg]].concat());
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(csv.starts_with("x,x_dot,label\n-1.5,-0.1,0\n-0.5,-0.1,0\n0.5,-0.1,1\n1.5,-0.1,"), "{csv}");
+    assert_eq!(rows(&csv).len(), 12);
+    assert!(err(&found).contains("fixed point at x = -1.0000"), "{}", err(&found));
+    assert!(std::fs::read_to_string(&svg).expect("a picture").contains("basins of attraction"));
+    let found = precess(&[&arguments[..], &grid, &["-o", &npz, "--quiet"]].concat());
+    assert!(found.status.success() && err(&found).is_empty(), "{}", err(&found));
+    let bytes = std::fs::read(&npz).expect("an archive");
+    let text = String::from_utf8_lossy(&bytes);
+    for header in
+        ["'<i4', 'fortran_order': False, 'shape': (3, 4,", "'shape': (2, 2,", "time.npy", "x_dot.npy"]
+    {
+        assert!(text.contains(header), "{header}");
+    }
+}
+
+#[test]
+fn basins_that_make_no_sense_are_refused_in_a_sentence() {
+    let cases: [(&[&str], &str); 5] = [
+        (&["basins", "pendulum", "--grid", "theta=-1:1:3"], "friction"),
+        (&["basins", "pendulum", "-p", "b=1", "--grid", "thta=-1:1:3"], "'theta'"),
+        (&["basins", "pendulum", "-p", "b=1", "--grid", "theta=-1:1:0"], "no points"),
+        (&["basins", "pendulum", "-p", "b=1", "--grid", "theta=-1:1"], "LOW:HIGH:N"),
+        (
+            &["basins", "pendulum", "-p", "b=1", "--grid", "theta=-1:1:9000", "--grid", "theta_dot=0:1:9000"],
+            "--yes",
+        ),
+    ];
+    for (arguments, word) in cases {
+        let wrong = precess(arguments);
+        assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
+        assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+    }
+}

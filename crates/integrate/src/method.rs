@@ -171,6 +171,12 @@ pub trait Stepper<S: Scalar>: Send {
     /// The next step starts anywhere.
     fn restart(&mut self) {}
 
+    /// The next step starts anywhere in these lanes, and changes no bit in the others. A stepper that remembers more
+    /// than a rate which it can find again has to tell the lanes apart.
+    fn begin(&mut self, _lanes: S::Mask) {
+        self.restart();
+    }
+
     /// Evaluations of the field so far.
     fn evaluations(&self) -> u64;
 }

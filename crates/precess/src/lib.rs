@@ -6,6 +6,7 @@
 
 #[cfg(feature = "analyses")]
 pub mod analyses;
+pub mod basins;
 mod canonical;
 pub mod catalogue;
 mod compare;
@@ -23,6 +24,7 @@ mod page;
 mod panel;
 mod picture;
 mod plan;
+mod random;
 mod resolve;
 mod run;
 mod satellites;
