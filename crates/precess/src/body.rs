@@ -79,12 +79,11 @@ pub fn hollow(words: &[String]) -> Option<String> {
 pub fn toml(solid: &Solid) -> String {
     let vector = |v: &[f64; 3]| format!("[{}]", v.map(shortest).join(", "));
     let rows = solid.inertia.each_ref().map(vector).join(", ");
-    let mut text = format!("[system.body]\nmass = {}\ninertia = [{rows}]\n", shortest(solid.mass));
-    if let Some(form) = solid.form() {
+    let support = solid.form().map_or(String::new(), |form| {
         let (point, radius, axes) = (vector(&form.point), shortest(form.radius), vector(&form.axes));
-        text += &format!("support = {{ point = {point}, radius = {radius}, axes = {axes} }}\n");
-    }
-    text
+        format!("support = {{ point = {point}, radius = {radius}, axes = {axes} }}\n")
+    });
+    format!("[system.body]\nmass = {}\ninertia = [{rows}]\n{support}", shortest(solid.mass))
 }
 
 /// Everything about a body, with its inertia about a further point.

@@ -95,8 +95,8 @@ fn summed(slices: impl Iterator<Item = (f64, f64, f64)>, surface: Surface) -> So
 fn curve(radii: &[f64], i: usize, u: f64) -> f64 {
     let last = radii.len() - 1;
     let slope = |i: usize| match i {
-        0 => (4.0 * radii[1] - 3.0 * radii[0] - radii[2]) / 2.0,
-        i if i == last => (3.0 * radii[last] - 4.0 * radii[last - 1] + radii[last - 2]) / 2.0,
+        0 => 2.0 * radii[1] - 1.5 * radii[0] - 0.5 * radii[2],
+        i if i == last => 1.5 * radii[last] - 2.0 * radii[last - 1] + 0.5 * radii[last - 2],
         i => (radii[i + 1] - radii[i - 1]) / 2.0,
     };
     let (a, b, p, q) = (radii[i], radii[i + 1], slope(i), slope(i + 1));
@@ -121,7 +121,7 @@ const GAUSS: [(f64, f64); 7] = [
 /// One sentence: which radius does.
 pub fn convex(radii: &[f64]) -> Result<(), String> {
     for i in 1..radii.len().saturating_sub(1) {
-        let chord = (radii[i - 1] + radii[i + 1]) / 2.0;
+        let chord = f64::midpoint(radii[i - 1], radii[i + 1]);
         if radii[i] < chord * (1.0 - 1e-12) {
             return Err(format!(
                 "the profile is hollow at radius {} ({} where a straight line between its neighbours gives {chord}): a \
