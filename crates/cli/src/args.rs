@@ -69,7 +69,7 @@ pub enum What {
 #[derive(Args)]
 pub struct Body {
     /// A shape and its sizes; '+' begins the next part of a sum, which x, y and z place
-    #[arg(value_name = "SHAPE NAME=VALUE...", allow_hyphen_values = true)]
+    #[arg(value_name = "SHAPE NAME=VALUE...")]
     pub words: Vec<String>,
     /// A further point for the inertia: '[0; 0; 0.1]' (the origin of the shape's axes where absent)
     #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
