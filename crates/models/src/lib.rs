@@ -46,8 +46,10 @@ pub static ALL: &[&dyn AnySystem] = &[
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
     &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::gyroscope_integrals::GyroscopeIntegrals,
     &tops::symmetric_body::SymmetricBody,
     &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
+    &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
 ];

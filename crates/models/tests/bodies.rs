@@ -260,3 +260,21 @@ fn what_makes_no_body_is_said() {
         );
     }
 }
+
+/// A tippe top inverts where `1 - alpha^2 < I1 / I3 < 1`; a homogeneous truncated sphere does so only beyond a cut of 1.486 radii.
+#[test]
+fn a_truncated_sphere_inverts_only_with_a_deep_cut() {
+    let margin = |cut: f64| {
+        let top = shape("truncated_sphere", &[("density", 700.0), ("radius", 1.0), ("cut", cut)]);
+        let alpha = -top.centre[2];
+        top.inertia[0][0] / top.inertia[2][2] - (1.0 - alpha * alpha)
+    };
+    let (mut low, mut high) = (0.1, 1.9);
+    assert!(margin(low) < 0.0 && margin(high) > 0.0);
+    for _ in 0..50 {
+        let middle = f64::midpoint(low, high);
+        if margin(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    assert!((low - 1.486).abs() < 5e-4, "the cut is {low} radii");
+    assert!(margin(0.75) < 0.0, "T's own top, cut by 0.75 R, cannot");
+}
