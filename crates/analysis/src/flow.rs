@@ -49,6 +49,9 @@ impl Field<f64> for Shifted<'_> {
     fn lagrangian(&self, t: f64, y: &[f64]) -> Option<f64> {
         self.field.lagrangian(t + self.from, y)
     }
+    fn solution(&self, from: f64, start: &[f64], t: f64, y: &mut [f64]) {
+        self.field.solution(from + self.from, start, t + self.from, y);
+    }
     fn crossings(&self, t: f64, y: &[f64], out: &mut [f64]) {
         self.field.crossings(t + self.from, y, out);
     }
@@ -154,6 +157,7 @@ pub(crate) fn later(failure: Failure, from: f64) -> Failure {
         Failure::TooSlow { t, h } => Failure::TooSlow { t: at(t), h },
         Failure::NoConvergence { t, h, iterations } => Failure::NoConvergence { t: at(t), h, iterations },
         Failure::TooManyEvents { t } => Failure::TooManyEvents { t: at(t) },
+        Failure::Trouble { t, what } => Failure::Trouble { t: at(t), what },
         Failure::Interrupted { t } => Failure::Interrupted { t: at(t) },
         refused @ Failure::Refused { .. } => refused,
     }

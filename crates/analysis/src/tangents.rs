@@ -73,6 +73,23 @@ impl Field<f64> for Tangents<'_> {
         }
     }
 
+    fn solution(&self, from: f64, start: &[f64], t: f64, y: &mut [f64]) {
+        let shape = &self.shape;
+        let mut scratch = self.scratch.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let [state, end] = &mut *scratch;
+        let [from, t] = [from, t].map(|t| Dual::constant(t + self.from));
+        for row in 1..shape.rows {
+            for (j, number) in state.iter_mut().enumerate() {
+                *number = Dual::new(start[shape.place(0, j)], start[shape.place(row, j)]);
+            }
+            self.field.solution(from, state, t, end);
+            for (j, number) in end.iter().enumerate() {
+                y[shape.place(row, j)] = number.slope;
+                y[shape.place(0, j)] = number.value;
+            }
+        }
+    }
+
     fn observe(&self, _: f64, _: &[f64], _: &mut [f64]) {}
     fn lagrangian(&self, _: f64, _: &[f64]) -> Option<f64> {
         None

@@ -24,6 +24,8 @@ pub enum Needs {
     Any,
     /// Accelerations that depend on positions (and time) alone.
     Separable,
+    /// A closed form of the motion.
+    ClosedForm,
 }
 
 /// A number that changes a method.
@@ -50,7 +52,7 @@ pub struct MethodCard {
     pub title: (&'static str, &'static str),
     /// What it is good for, in English and French.
     pub about: (&'static str, &'static str),
-    /// Order of convergence.
+    /// Order of convergence; 0 for the closed form, whose error does not come from the step.
     pub order: u32,
     /// Fixed or adaptive steps.
     pub kind: Kind,

@@ -72,7 +72,8 @@ fn check(
     separable: bool,
 ) {
     for m in METHODS.iter().map(|m| m.card()) {
-        if m.needs == Needs::Separable && !separable || m.order > 8 {
+        let fits = m.needs == Needs::Any || m.needs == Needs::Separable && separable;
+        if !fits || m.order > 8 {
             continue;
         }
         let slope = fitted_order(m.id, field, start, until, reference);

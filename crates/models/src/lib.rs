@@ -2,8 +2,10 @@
 
 mod attitude;
 pub mod bodies;
+mod complex;
 mod gravity;
 mod inertia;
+mod linear;
 mod oscillators;
 mod pendulums;
 mod rotation;
@@ -44,6 +46,7 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::malkus_waterwheel::MalkusWaterwheel,
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
+    &gravity::cluster::Cluster,
     &tops::gyroscope::Gyroscope,
     &tops::gyroscope_rolling::GyroscopeRolling,
     &tops::gyroscope_integrals::GyroscopeIntegrals,

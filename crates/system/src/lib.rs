@@ -21,7 +21,7 @@ pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
 pub use state::State;
 pub use structure::{Structure, structure};
-pub use system::{Given, System};
+pub use system::{Given, Satellites, System};
 pub use text::Text;
 pub use trajectory::{Column, ColumnKind, Occurrence, Trajectory};
 pub use units::{UnitError, parse_unit};

@@ -14,6 +14,17 @@ impl Given {
     }
 }
 
+/// Equal parts of a system that feel the rest, and move neither it nor one another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Satellites {
+    /// The coordinates of the rest, which come first; all coordinates are of second order.
+    pub rest: usize,
+    /// The coordinates of a part.
+    pub each: usize,
+    /// The parameters of the rest with one part.
+    pub one: Values<f64>,
+}
+
 /// A mechanical system, written once for every number.
 pub trait System: Clone + Send + Sync + 'static {
     /// Names, units, defaults, texts, source.
@@ -35,6 +46,34 @@ pub trait System: Clone + Send + Sync + 'static {
     /// The Lagrangian, where there is one: the laws hold the equations against it (with the parameters that
     /// the energy's condition names set to zero).
     fn lagrangian<S: Scalar>(&self, _s: &State<S>) -> Option<S> {
+        None
+    }
+
+    /// Whether the motion from this start has a closed form: [`solution`](Self::solution).
+    ///
+    /// # Errors
+    /// One sentence: why it has none.
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Err("no closed form of its motion is known here".into())
+    }
+
+    /// The closed form: coordinates `q` and velocities `v` at time `t`, from the state `start` at the time `start.t`,
+    /// which may be the later one. Asked of solvable systems only.
+    fn solution<S: Scalar>(&self, _start: &State<S>, _t: S, _q: &mut [S], _v: &mut [S]) {}
+
+    /// The accelerations that move the positions in a step of `euler_taylor`, where the program of a source takes others
+    /// there than for the velocities; false where it does not.
+    fn drift<S: Scalar>(&self, _s: &State<S>, _highest: &mut [S]) -> bool {
+        false
+    }
+
+    /// Whether part of the system moves nothing else, so that it can be computed piece by piece.
+    fn satellites(&self, _values: &Values<f64>) -> Option<Satellites> {
+        None
+    }
+
+    /// What goes on at a state where a run could not go on, if the system knows (a collision): a clause.
+    fn trouble(&self, _s: &State<f64>) -> Option<String> {
         None
     }
 

@@ -7,6 +7,7 @@ mod dopri5;
 mod euler;
 mod euler_cromer;
 mod euler_taylor;
+mod exact;
 mod gauss_legendre16;
 mod gauss_legendre4;
 mod gauss_legendre6;
@@ -42,4 +43,5 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &dopri5::Dopri5,
     &tsit5::Tsit5,
     &dop853::Dop853,
+    &exact::Exact,
 ];

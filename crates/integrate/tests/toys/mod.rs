@@ -1,13 +1,18 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
-use precess_integrate::{AnyMethod, METHODS, NoConvergence, Options, Step, Stepper, Steps};
+use precess_integrate::{
+    AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
+};
 use precess_scalar::Scalar;
 use precess_system::{Field, Shape};
 
 /// A system's equations, over every number.
 pub trait Toy: Send + Sync {
     fn rate<S: Scalar>(&self, t: S, y: &[S], dy: &mut [S]);
+    fn solution<S: Scalar>(&self, _from: S, _start: &[S], _t: S, _y: &mut [S]) {
+        panic!("this toy has no closed form");
+    }
     fn crossings<S: Scalar>(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn jump<S: Scalar>(&self, _event: usize, _t: S, _y: &mut [S]) {}
 }
@@ -48,6 +53,9 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
             }
         }
     }
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        self.toy.solution(from, start, t, y);
+    }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
         None
@@ -66,6 +74,11 @@ impl Toy for Harmonic {
     fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
         dy[0] = y[1];
         dy[1] = -(y[0] * (self.0 * self.0));
+    }
+    fn solution<S: Scalar>(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        let (sin, cos) = ((t - from) * self.0).sin_cos();
+        y[0] = start[0] * cos + start[1] * sin / self.0;
+        y[1] = start[1] * cos - start[0] * sin * self.0;
     }
 }
 pub fn harmonic(omega: f64) -> Bound<Harmonic> {
@@ -139,6 +152,11 @@ impl Toy for BlowUp {
 }
 pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
+}
+
+/// Every method that needs no closed form.
+pub fn integrators() -> impl Iterator<Item = &'static MethodCard> {
+    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::ClosedForm)
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {

@@ -5,6 +5,8 @@
 //! (P, exercise 6.3.) x is the height of the car and f that of the road under its wheel, both from their means. With
 //! p = b / m and q = k / m it is the `driven_oscillator` under (k f + b f') / m.
 
+use crate::complex::Complex;
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 use std::f64::consts::TAU;
@@ -53,6 +55,20 @@ impl System for CarSuspension {
         out.copy_from_slice(&[energy, road, x - road, force(s)]);
     }
 
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [m, k, b, amplitude]) = (start.q(), start.v(), start.p());
+        let (time, frequency) = (t - start.t, frequency(start));
+        // k f + b f' is the imaginary part of (k + i b frequency) amplitude e^(i frequency t).
+        let force = Complex::new(k / m, b / m * frequency).scaled(amplitude);
+        let force = force.times(Complex::imaginary(frequency * start.t).exp());
+        [q[0], v[0]] = linear::driven([b / m, k / m], time, [x, x_dot], force, frequency);
+    }
+
     #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let ([x], [v], [m, k, b]) = (s.q(), s.v(), s.p());
@@ -62,11 +78,17 @@ impl System for CarSuspension {
     }
 }
 
+/// How often the waves come, as an angular frequency.
+#[inline(always)]
+fn frequency<S: Scalar>(s: &State<S>) -> S {
+    let [_m, _k, _b, _amplitude, wavelength, speed] = s.p();
+    speed / wavelength * TAU
+}
+
 /// Height of the road, and how fast it rises.
 #[inline(always)]
 fn road<S: Scalar>(s: &State<S>) -> (S, S) {
-    let [_m, _k, _b, amplitude, wavelength, speed] = s.p();
-    let frequency = speed / wavelength * TAU;
+    let ([_m, _k, _b, amplitude], frequency) = (s.p(), frequency(s));
     let (sin, cos) = (frequency * s.t).sin_cos();
     (amplitude * sin, amplitude * frequency * cos)
 }

@@ -5,6 +5,8 @@
 //! (P, exercise 6.3.) Without the drive it oscillates where p^2 < 4 q and creeps where p^2 > 4 q. Driven, it settles to
 //! the amplitude A / sqrt((q - f^2)^2 + (p f)^2), which is largest at f^2 = q - p^2 / 2: the resonance.
 
+use crate::complex::Complex;
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -47,6 +49,18 @@ impl System for DrivenOscillator {
         let energy = (v.squared() + q * x.squared()) * 0.5;
         let response = ((q - frequency.squared()).squared() + (p * frequency).squared()).sqrt();
         out.copy_from_slice(&[energy, drive(s), amplitude.abs() / response]);
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [p, k, amplitude, frequency]) = (start.q(), start.v(), start.p());
+        let time = t - start.t;
+        let force = Complex::imaginary(frequency * start.t).exp().scaled(amplitude);
+        [q[0], v[0]] = linear::driven([p, k], time, [x, x_dot], force, frequency);
     }
 
     #[inline(always)]

@@ -5,6 +5,7 @@
 
 mod card;
 mod cases;
+mod closed_form;
 mod draw;
 mod invariants;
 mod lagrangian;
