@@ -141,7 +141,7 @@ pub(super) fn solvable(s: &State<f64>) -> Result<(), String> {
     Ok(())
 }
 
-/// (L_Az +- L_A3) / I_A1, which keep the axis off the vertical.
+/// (`L_Az` +- `L_A3`) / `I_A1`, which keep the axis off the vertical.
 fn barriers(start: &Start<f64>) -> [f64; 2] {
     let momentum = start.omega[1] * start.sin;
     [momentum + start.a * start.above, momentum - start.a * start.below]

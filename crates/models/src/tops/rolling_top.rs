@@ -11,7 +11,7 @@
 //!     (I_A omega)' + omega_e x I_A omega = M_A - m A' x v_G        A' = r', the velocity of A over the body      (corrected)
 //!
 //! `moments_at_contact = as_printed` leaves the last term out; with `neglected`, which takes A to rest in the body, it is out
-//! anyway. And M_A is `GA x m g k`, which is T's `m g d sin theta u` only where A lies on the axis.
+//! anyway. And `M_A` is `GA x m g k`, which is T's `m g d sin theta u` only where A lies on the axis.
 //!
 //! The surface is given by its support function `h(n) = point n3 + sqrt(across^2 (n1^2 + n2^2) + along^2 n3^2)` from G: a
 //! spheroid about a point of the axis, a sphere, or a tip (point = -d, no axes). Then, in (u, b, a),
