@@ -1,6 +1,7 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
 mod attitude;
+pub mod bodies;
 mod complex;
 mod gravity;
 mod inertia;
@@ -48,8 +49,10 @@ pub static ALL: &[&dyn AnySystem] = &[
     &gravity::cluster::Cluster,
     &tops::gyroscope::Gyroscope,
     &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::gyroscope_integrals::GyroscopeIntegrals,
     &tops::symmetric_body::SymmetricBody,
     &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
+    &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
 ];

@@ -7,6 +7,7 @@
 #[cfg(feature = "analyses")]
 pub mod analyses;
 pub mod basins;
+pub mod body;
 mod canonical;
 pub mod catalogue;
 mod compare;

@@ -177,7 +177,7 @@ impl Plan {
 
     /// The starts as the user may name them back.
     pub fn given(&self) -> Given {
-        let names = self.layout.state().into_iter().map(|q| q.name);
+        let names = self.layout.starts().into_iter().map(|q| q.name);
         Given(names.zip(self.start.iter().copied()).collect())
     }
 

@@ -136,8 +136,7 @@ fn explained(plan: &Plan, failure: Failure, t: f64, y: &[f64]) -> Failure {
     trouble.map_or(failure, |what| Failure::Trouble { t, what })
 }
 
-/// Cyclic angles and modes stay out of the error norm: nothing depends on an angle that no equation holds, and a
-/// mode rests.
+/// Cyclic angles and resting modes stay out of the error norm: nothing depends on an angle that no equation holds.
 pub(crate) fn pace(plan: &Plan) -> Pace {
     match plan.step {
         Step::Fixed(dt) => Pace::Fixed(dt),
@@ -145,7 +144,7 @@ pub(crate) fn pace(plan: &Plan) -> Pace {
             let shape = plan.layout.shape();
             let mut skip = plan.structure.cyclic.clone();
             skip.resize(shape.state(), false);
-            skip.resize(shape.full(), true);
+            skip.extend(&plan.structure.resting);
             Pace::Adaptive(Tolerance { rtol, atol, skip })
         }
     }

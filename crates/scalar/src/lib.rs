@@ -5,6 +5,7 @@
 //! recorded expression ([`Traced`]) and on units of measure ([`Unit`]).
 
 mod batch;
+mod carlson;
 mod dependence;
 mod double_double;
 mod dual;
@@ -19,6 +20,7 @@ mod traced;
 mod unit;
 
 pub use batch::Batch;
+pub use carlson::{rf, rj};
 pub use dependence::Dependence;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;

@@ -14,7 +14,7 @@ use std::collections::HashMap;
 pub trait Field<S: Scalar>: Send + Sync {
     /// The sizes of a state.
     fn shape(&self) -> &Shape;
-    /// The rate of every number of the state; a mode rests. There may be several rows of states (see [`Shape`]).
+    /// The rate of every number of the state. There may be several rows of states (see [`Shape`]).
     fn rate(&self, t: S, y: &[S], dy: &mut [S]);
     /// The observables.
     fn observe(&self, t: S, y: &[S], out: &mut [S]);
@@ -149,7 +149,7 @@ impl<M: System, S: Scalar> Bound<M, S> {
     #[inline(always)]
     fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
         let shape = &self.shape;
-        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let (coordinates, second) = (shape.coordinates, shape.second.len());
         let rows = if y.len() == shape.full() { 1 } else { y.len() / shape.full() };
         let (q, rest) = y.split_at(rows * coordinates);
         let (v, m) = rest.split_at(rows * second);
@@ -159,7 +159,7 @@ impl<M: System, S: Scalar> Bound<M, S> {
         for row in 0..rows {
             let (from, to) = (row * coordinates, (row + 1) * coordinates);
             let (q, v) = (&q[from..to], &v[row * second..][..second]);
-            let modes = &m[row * modes..][..modes];
+            let modes = &m[row * shape.modes..][..shape.modes];
             let state = State { t, coordinates: q, velocities: v, modes, values: &self.values };
             // The equations give accelerations in the order of the coordinates. Where each coordinate has one, that is
             // the order of the velocities; elsewhere each moves from its coordinate's place to its velocity's.
@@ -172,9 +172,10 @@ impl<M: System, S: Scalar> Bound<M, S> {
                 }
                 dq[i] = v;
             }
-        }
-        if modes > 0 {
-            dm.fill(S::from(0.0));
+            if modes.is_empty() {
+                continue;
+            }
+            self.system.mode_rates(&state, &mut dm[row * shape.modes..][..shape.modes]);
         }
     }
 
@@ -352,7 +353,7 @@ impl<M: System> AnySystem for M {
             // A map, for there may be a million names; it is asked, not walked.
             let named: HashMap<&str, f64> =
                 given.0.iter().rev().map(|(name, x)| (name.as_str(), *x)).collect();
-            for (place, quantity) in y.iter_mut().zip(layout.state()) {
+            for (place, quantity) in y.iter_mut().zip(layout.starts()) {
                 *place = named.get(quantity.name.as_str()).copied().unwrap_or(*place);
             }
         }

@@ -17,7 +17,7 @@ mod trajectory;
 mod units;
 mod values;
 
-pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
+pub use card::{Card, Defaults, Direction, Event, Held, Observable, ObservableKind, View, card};
 pub use expression::expression;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
 pub use hamilton::{beside_the_lagrangian, momenta};

@@ -34,6 +34,12 @@ pub trait System: Clone + Send + Sync + 'static {
     /// the rate of a first-order one.
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]);
 
+    /// The rates of the modes: all rest, where nothing else is said.
+    #[inline(always)]
+    fn mode_rates<S: Scalar>(&self, _s: &State<S>, rates: &mut [S]) {
+        rates.fill(S::from(0.0));
+    }
+
     /// The observables, in the order of the card.
     fn observe<S: Scalar>(&self, _s: &State<S>, _out: &mut [S]) {}
 
@@ -77,7 +83,7 @@ pub trait System: Clone + Send + Sync + 'static {
     /// What event number `event` does to the state (coordinates, velocities, modes).
     fn jump<S: Scalar>(&self, _event: usize, _s: &State<S>, _y: &mut [S]) {}
 
-    /// The modes at the start, from the rest of the state.
+    /// The modes at the start, from the rest of the state; those that hold a start (see [`Card::held`]) are set already.
     fn start_modes(&self, _s: &State<f64>, _modes: &mut [f64]) {}
 
     /// The period of the equations in time, where time enters and they have one.

@@ -14,8 +14,8 @@ static CARD: MethodCard = MethodCard {
     id: "exact",
     title: ("Closed form", "Forme close"),
     about: (
-        "No integration: the formula of the motion, where there is one (linear oscillators, the pendulum, two bodies).",
-        "Pas d'intégration : la formule du mouvement, quand elle existe (oscillateurs linéaires, pendule, deux corps).",
+        "No integration: the formula of the motion, where there is one (linear oscillators, the pendulum, two bodies, the symmetric top, the free body).",
+        "Pas d'intégration : la formule du mouvement, quand elle existe (oscillateurs linéaires, pendule, deux corps, toupie symétrique, solide libre).",
     ),
     order: 0,
     kind: Kind::Fixed,

@@ -14,6 +14,7 @@ mod gauss_legendre4;
 mod gauss_legendre6;
 mod glide;
 mod implicit_midpoint;
+mod lie_midpoint;
 mod newmark;
 mod radau5;
 mod rk4;
@@ -38,6 +39,7 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &yoshida8::Yoshida8,
     &newmark::Newmark,
     &implicit_midpoint::ImplicitMidpoint,
+    &lie_midpoint::LieMidpoint,
     &gauss_legendre4::GaussLegendre4,
     &gauss_legendre6::GaussLegendre6,
     &gauss_legendre16::GaussLegendre16,

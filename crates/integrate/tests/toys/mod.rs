@@ -29,6 +29,7 @@ pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound
     let shape = Shape {
         coordinates: second + first,
         second: (0..second).collect(),
+        attitudes: vec![],
         modes: 0,
         observables: 0,
         events,

@@ -104,7 +104,7 @@ fn asteroids(rings: &[Ring]) -> impl Iterator<Item = [f64; 4]> + '_ {
 }
 
 pub(super) fn check_rings(rings: &[Ring]) -> Result<(), String> {
-    let whole = |x: f64| x >= 0.0 && x <= MOST && x.fract() == 0.0;
+    let whole = |x: f64| (0.0..=MOST).contains(&x) && x.fract() == 0.0;
     for (k, &[count, places, radius, _]) in rings.iter().enumerate() {
         let k = k + 1;
         match () {

@@ -1,7 +1,7 @@
 //! The motion about a fixed centre of attraction, in closed form for every kind of orbit.
 //!
 //! In the universal anomaly s, dt = r ds, everything is made of four functions of s and beta = 2 mu / r - v^2 (the
-//! G_n of Stumpff), which are sines on an ellipse, hyperbolic sines on a hyperbola and powers on a parabola:
+//! `G_n` of Stumpff), which are sines on an ellipse, hyperbolic sines on a hyperbola and powers on a parabola:
 //!
 //!     t = r0 G1 + (r0 . v0) G2 + mu G3            Kepler's equation, solved for s
 //!     r = r0 (1 - mu G2 / r0) + v0 (t - mu G3)

@@ -104,7 +104,7 @@ fn closed_forms_satisfy_the_equations() {
 
 #[test]
 fn these_have_closed_forms() {
-    const SOLVABLE: [&str; 8] = [
+    const SOLVABLE: [&str; 11] = [
         "harmonic_oscillator",
         "spring",
         "planar_oscillator",
@@ -113,6 +113,9 @@ fn these_have_closed_forms() {
         "pendulum",
         "foucault_pendulum",
         "n_body",
+        "gyroscope",
+        "gyroscope_rolling",
+        "free_body",
     ];
     for id in SOLVABLE {
         let system = *precess_models::ALL.iter().find(|s| s.card().id == id).expect("it is listed");
