@@ -152,5 +152,6 @@ pub fn picture(py: Python, plan: &Plan, numbers: PyReadonlyArray2<f64>) -> PyRes
     let columns = precess::columns(&plan.plan);
     let trajectory =
         Trajectory { columns, numbers: numbers.as_array().iter().copied().collect(), events: vec![] };
-    dictionary(py, &precess::picture(&plan.plan, &trajectory)).map(Bound::unbind)
+    let figure = asked(py, None, |told| precess::picture(&plan.plan, &trajectory, told))?;
+    dictionary(py, &figure).map(Bound::unbind)
 }

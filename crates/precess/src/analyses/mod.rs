@@ -3,12 +3,14 @@
 mod fit;
 mod lyapunov;
 mod numbers;
+mod panel;
 mod poincare;
 mod sensitivity;
 mod subject;
 
 pub use fit::{Data, Fit, Fitted, fit};
 pub use lyapunov::lyapunov;
+pub(crate) use panel::panel;
 pub use poincare::{PoincareSpec, poincare};
 pub use sensitivity::{Sensitivities, sensitivities, sensitivity};
 
