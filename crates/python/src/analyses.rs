@@ -97,11 +97,14 @@ pub fn sensitivities(
     Ok((values.unbind(), slopes.unbind()))
 }
 
+/// Name, unit, value, standard error, 95 % interval.
+type Fitted = (String, String, f64, f64, (f64, f64));
+
 /// A fit.
 #[pyclass(frozen, get_all, module = "precess._core")]
 pub struct Fit {
-    /// Name, unit, value, standard error, 95 % interval.
-    fitted: Vec<(String, String, f64, f64, (f64, f64))>,
+    /// The fitted numbers.
+    fitted: Vec<Fitted>,
     /// The correlation of each with each.
     correlation: Vec<Vec<f64>>,
     /// The scatter of each column.

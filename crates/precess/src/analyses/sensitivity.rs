@@ -61,7 +61,7 @@ pub fn sensitivities(
             return failed(&failure);
         }
         now = t;
-        observe(&subject, t, &state, (&fields, &vectors), &mut found);
+        observe(&subject, t, &state, &along, &vectors, &mut found);
     }
     Ok(found)
 }
@@ -71,7 +71,8 @@ fn observe(
     subject: &Subject,
     t: f64,
     state: &[f64],
-    (fields, vectors): (&[&dyn Field<Dual<f64>>], &[Vec<f64>]),
+    along: &[Along],
+    vectors: &[Vec<f64>],
     found: &mut Sensitivities,
 ) {
     let size = subject.plan.layout.shape().state();
@@ -80,9 +81,9 @@ fn observe(
     found.values.extend_from_slice(&state[..size]);
     found.values.extend(observed.iter());
     let mut moved = vec![Dual::constant(0.0); observed.len()];
-    for (field, vector) in fields.iter().zip(vectors) {
+    for (along, vector) in along.iter().zip(vectors) {
         let dual: Vec<Dual<f64>> = state.iter().zip(vector).map(|(x, v)| Dual::new(*x, *v)).collect();
-        field.observe(Dual::constant(t), &dual, &mut moved);
+        along.field.observe(Dual::constant(t), &dual, &mut moved);
         found.slopes.extend_from_slice(&vector[..size]);
         found.slopes.extend(moved.iter().map(|d| d.slope));
     }
