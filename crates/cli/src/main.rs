@@ -10,6 +10,7 @@ mod draw;
 mod failure;
 mod lab;
 mod list;
+mod measured;
 mod output;
 mod progress;
 mod run;
@@ -34,6 +35,8 @@ fn main() -> ExitCode {
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
         Verb::Basins(arguments) => basins::basins(&arguments),
+        Verb::Sensitivity(arguments) => analyse::sensitivity(&arguments),
+        Verb::Fit(arguments) => analyse::fit(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

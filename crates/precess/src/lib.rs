@@ -47,7 +47,7 @@ pub use members::{Keep, Members};
 pub use page::page;
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
-pub use run::{Outcome, Provenance, run};
+pub use run::{Outcome, Provenance, columns, run};
 pub use scenario::{EventSpec, FamilySpec, FigureKind, FigureSpec, Scenario, Words};
 pub use workers::Workers;
 
