@@ -1,13 +1,15 @@
-//! The analyses: `precess lyapunov`, `precess poincare`.
+//! The analyses: `precess lyapunov`, `poincare`, `portrait`, `response`, `bifurcation`, `floquet`.
 
-use crate::args::{Analysis, Poincare};
+use crate::args::{Analysis, Floquet, Poincare, Portrait, Response};
 use crate::failure::Failure;
 use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
 use crate::run::{finish_plot, open_plot, unknown_suffix};
 use crate::subject::{assignment, scenario};
 use crate::table;
-use precess::analyses::{self, Answer, PoincareSpec};
+use precess::analyses::{
+    self, Answer, BifurcationSpec, FloquetSpec, PoincareSpec, PortraitSpec, ResponseSpec,
+};
 use precess::{Error, Scenario};
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
@@ -27,6 +29,32 @@ pub fn poincare(arguments: &Poincare) -> Result<(), Failure> {
         y: arguments.y.clone(),
     };
     analyse(&arguments.analysis, &mut |scenario, progress| analyses::poincare(scenario, &spec, progress))
+}
+
+/// A phase portrait.
+pub fn portrait(arguments: &Portrait) -> Result<(), Failure> {
+    let spec = PortraitSpec { windows: arguments.windows.clone(), levels: arguments.levels };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::portrait(scenario, &spec, progress))
+}
+
+/// Amplitude and lag against a parameter.
+pub fn response(arguments: &Response) -> Result<(), Failure> {
+    let Response { sweep, coordinate, down, .. } = arguments;
+    let spec = ResponseSpec { sweep: sweep.clone(), coordinate: coordinate.clone(), down: *down };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::response(scenario, &spec, progress))
+}
+
+/// The attractor against a parameter.
+pub fn bifurcation(arguments: &Response) -> Result<(), Failure> {
+    let Response { sweep, coordinate, down, .. } = arguments;
+    let spec = BifurcationSpec { sweep: sweep.clone(), coordinate: coordinate.clone(), down: *down };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::bifurcation(scenario, &spec, progress))
+}
+
+/// Floquet multipliers.
+pub fn floquet(arguments: &Floquet) -> Result<(), Failure> {
+    let spec = FloquetSpec { sweeps: arguments.sweeps.clone() };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::floquet(scenario, &spec, progress))
 }
 
 type Ask<'a> = &'a mut dyn FnMut(&Scenario, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Answer, Error>;

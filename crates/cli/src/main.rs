@@ -6,6 +6,7 @@ mod bench;
 mod compare;
 mod draw;
 mod failure;
+mod gallery;
 mod lab;
 mod list;
 mod output;
@@ -30,6 +31,11 @@ fn main() -> ExitCode {
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
+        Verb::Portrait(arguments) => analyse::portrait(&arguments),
+        Verb::Response(arguments) => analyse::response(&arguments),
+        Verb::Bifurcation(arguments) => analyse::bifurcation(&arguments),
+        Verb::Floquet(arguments) => analyse::floquet(&arguments),
+        Verb::Gallery(arguments) => gallery::gallery(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

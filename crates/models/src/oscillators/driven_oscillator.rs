@@ -6,7 +6,7 @@
 //! the amplitude A / sqrt((q - f^2)^2 + (p f)^2), which is largest at f^2 = q - p^2 / 2: the resonance.
 
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -33,6 +33,10 @@ impl System for DrivenOscillator {
             .time_view(&["x"])
             .phase_view("x", "x_dot")
             .run(60.0, 0.0001)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[3].abs())
     }
 
     #[inline(always)]

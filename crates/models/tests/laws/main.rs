@@ -9,6 +9,7 @@ mod draw;
 mod invariants;
 mod lagrangian;
 mod parity;
+mod period;
 mod units;
 
 use precess_system::AnySystem;

@@ -73,6 +73,15 @@ pub(crate) fn period(plan: &Plan, what: &str) -> Result<f64, Error> {
     )
 }
 
+/// The number of the state of this name, the first coordinate where none is given.
+pub(crate) fn state_number(plan: &Plan, name: Option<&str>) -> Result<usize, Error> {
+    let Some(name) = name else { return Ok(0) };
+    let state = plan.layout.state();
+    let found = state.iter().position(|q| q.name == name);
+    let names = state.iter().map(|q| q.name.as_str());
+    found.ok_or_else(|| crate::unknown(&format!("number of the state of {}", plan.card.id), name, names))
+}
+
 /// A sentence for a failure, with the advice that is its own.
 pub(crate) fn failed<T>(failure: &precess_integrate::Failure) -> Result<T, Error> {
     Err(Error::Failed(failure.to_string()))

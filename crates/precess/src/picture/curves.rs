@@ -9,7 +9,7 @@ use crate::value::shortest;
 use precess_system::Quantity;
 
 /// Curves of the chosen trajectories.
-pub(super) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
+pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
     let chosen = chosen(panel, shown);
     let pairs = pairs(panel, shown);
     let planes = pairs.iter().any(|(x, _)| *x != pairs[0].0);
