@@ -78,7 +78,7 @@ impl Flow<'_> {
         let job = Drive {
             field: &field,
             method: self.method,
-            options: self.options,
+            options: self.options.clone(),
             start,
             samples: Samples::new(span, every),
             pace: self.pace.clone(),
@@ -119,7 +119,7 @@ impl Flow<'_> {
         let job = Drive {
             field: &field,
             method: self.method,
-            options: self.options,
+            options: self.options.clone(),
             start: &start,
             samples: Samples::new(span, span.abs()),
             pace,
