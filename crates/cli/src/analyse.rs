@@ -1,6 +1,6 @@
-//! The analyses: `precess lyapunov`, `poincare`, `portrait`, `response`, `bifurcation`, `floquet`.
+//! The analyses: `precess lyapunov`, `poincare`, `portrait`, `response`, `bifurcation`, `floquet`, `frenet`.
 
-use crate::args::{Analysis, Floquet, Poincare, Portrait, Response};
+use crate::args::{Analysis, Floquet, Frenet, Poincare, Portrait, Response};
 use crate::failure::Failure;
 use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
@@ -8,7 +8,7 @@ use crate::run::{finish_plot, open_plot, unknown_suffix};
 use crate::subject::{assignment, scenario};
 use crate::table;
 use precess::analyses::{
-    self, Answer, BifurcationSpec, FloquetSpec, PoincareSpec, PortraitSpec, ResponseSpec,
+    self, Answer, BifurcationSpec, FloquetSpec, FrenetSpec, PoincareSpec, PortraitSpec, ResponseSpec,
 };
 use precess::{Error, Scenario};
 use std::io::{self, BufWriter, Write};
@@ -55,6 +55,12 @@ pub fn bifurcation(arguments: &Response) -> Result<(), Failure> {
 pub fn floquet(arguments: &Floquet) -> Result<(), Failure> {
     let spec = FloquetSpec { sweeps: arguments.sweeps.clone() };
     analyse(&arguments.analysis, &mut |scenario, progress| analyses::floquet(scenario, &spec, progress))
+}
+
+/// Moving frames along a path.
+pub fn frenet(arguments: &Frenet) -> Result<(), Failure> {
+    let spec = FrenetSpec { x: arguments.x.clone(), y: arguments.y.clone() };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::frenet(scenario, &spec, progress))
 }
 
 type Ask<'a> = &'a mut dyn FnMut(&Scenario, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Answer, Error>;

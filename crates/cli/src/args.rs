@@ -50,6 +50,8 @@ pub enum Verb {
     Bifurcation(Response),
     /// Finds the multipliers of a driven motion over a period, and the parameters where it is unstable
     Floquet(Floquet),
+    /// Follows a plane path with its moving frames: tangent and normal acceleration, curvature, polar accelerations
+    Frenet(Frenet),
     /// Draws every scenario that comes with the program into a page of pictures with notes
     Gallery(Gallery),
     /// Measures how fast this program is on this machine, ratios first
@@ -205,6 +207,20 @@ pub struct Response {
     /// From the last value to the first: each value starts where the one before has settled
     #[arg(long)]
     pub down: bool,
+}
+
+/// A plane path.
+#[derive(Args)]
+pub struct Frenet {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// Horizontal quantity of the path; that of the card's own path where absent
+    #[arg(long, value_name = "NAME")]
+    pub x: Option<String>,
+    /// Vertical quantity of the path
+    #[arg(long, value_name = "NAME")]
+    pub y: Option<String>,
 }
 
 /// Multipliers.

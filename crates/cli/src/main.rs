@@ -35,6 +35,7 @@ fn main() -> ExitCode {
         Verb::Response(arguments) => analyse::response(&arguments),
         Verb::Bifurcation(arguments) => analyse::bifurcation(&arguments),
         Verb::Floquet(arguments) => analyse::floquet(&arguments),
+        Verb::Frenet(arguments) => analyse::frenet(&arguments),
         Verb::Gallery(arguments) => gallery::gallery(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),

@@ -451,7 +451,7 @@ fn a_spectrum_is_a_table_of_exponents_and_errors() {
 
 #[test]
 fn a_wrong_question_is_answered_with_a_sentence() {
-    let cases: [(&[&str], &str); 15] = [
+    let cases: [(&[&str], &str); 18] = [
         (&["portrait", "driven_oscillator"], "without a clock"),
         (&["portrait", "pendulum", "--window", "thet=-1:1"], "theta"),
         (&["portrait", "pendulum", "--window", "theta=1:-1"], "not below"),
@@ -460,6 +460,9 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         (&["response", "duffing", "--sweep", "omega=1:2"], "NAME=LOW:HIGH:N"),
         (&["bifurcation", "duffing", "--sweep", "gamma=0:1:1"], "between 2 and"),
         (&["floquet", "pendulum"], "periodic drive"),
+        (&["frenet", "pendulum", "--x", "theta", "--y", "theta_dot"], "one plane"),
+        (&["frenet", "lorenz", "--x", "x"], "both x and y"),
+        (&["lyapunov", "pendulum", "--method", "taylor"], "dop853"),
         (&["gallery", "no-such-figure", "-o", "never-made"], "scenario"),
         (&["lyapunov", "noria"], "events"),
         (&["lyapunov", "pendulum", "--until", "-1"], "above zero"),
@@ -548,4 +551,28 @@ fn a_gallery_has_pictures_notes_and_both_languages() {
     assert!(english.find("p-fig-6") < english.find("p-ex-11"));
     assert!(french.contains("une bille dans une parabole") && french.contains("lang=\"fr\""), "{french}");
     assert!(read("p-fig-6.svg").contains("<svg") && read("p-ex-11.toml").contains("precess = 1"));
+}
+
+#[test]
+fn the_frames_along_a_path_have_the_accelerations_of_the_forces() {
+    // An ellipse of half axes 1 and 1/2 begins at its sharp end: curvature a / b^2, acceleration c towards the centre.
+    let found = precess(&["frenet", "planar_oscillator", "-p", "c=4", "--until", "2", "-o", "-"]);
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(
+        csv.starts_with("t,x,y,speed,tangential,normal,curvature,centre_x,centre_y,radial,transverse\n"),
+        "{csv}"
+    );
+    let first = &rows(&csv)[0];
+    let wanted = [0.0, 1.0, 0.0, 1.0, 0.0, 4.0, 4.0, 0.75, 0.0, -4.0, 0.0];
+    assert!(first.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-12), "{first:?}");
+    // P 9.2: on a spring the radial acceleration is g cos theta - (k / m)(l - l0); px and py are observables.
+    let found = precess(&["frenet", "elastic_pendulum", "--until", "30", "-o", "-"]);
+    assert!(found.status.success(), "{}", err(&found));
+    for row in rows(&out(&found)) {
+        let length = (row[1] * row[1] + row[2] * row[2]).sqrt();
+        let (radial, transverse) =
+            (-0.098 * row[2] / length - 0.5 * (length - 1.0), -0.098 * row[1] / length);
+        assert!((row[9] - radial).abs() < 1e-12 && (row[10] - transverse).abs() < 1e-12, "{row:?}");
+    }
 }

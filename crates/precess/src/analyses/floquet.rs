@@ -48,7 +48,7 @@ pub fn floquet(scenario: &Scenario, spec: &FloquetSpec, progress: Progress) -> R
 /// The multipliers of the periodic motion near the start.
 fn of_plan(plan: &Plan, progress: Progress) -> Result<(Multipliers, f64), Error> {
     let period = period(plan, "a Floquet multiplier")?;
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan)?;
     let mut watch = |_: f64| progress(0.5);
     let flow = subject.flow(&mut watch);
     match multipliers(&flow, &plan.start, period, true) {

@@ -2,6 +2,7 @@
 
 mod bifurcation;
 mod floquet;
+mod frenet;
 mod lyapunov;
 mod panel;
 mod poincare;
@@ -12,6 +13,8 @@ mod sweep;
 
 pub use bifurcation::{BifurcationSpec, bifurcation};
 pub use floquet::{FloquetSpec, floquet};
+pub(crate) use frenet::osculating;
+pub use frenet::{FrenetSpec, frenet};
 pub use lyapunov::lyapunov;
 pub(crate) use panel::panel;
 pub use poincare::{PoincareSpec, poincare};

@@ -81,7 +81,8 @@ fn portrait_of(plan: &Plan, panel: &PanelPlan, shown: &[Shown], progress: Watche
         let trajectories = curves(&PanelPlan { spec, ..panel.clone() }, shown);
         // Two inks are taken: levels and separatrices.
         drawn.curves.extend(trajectories.curves.into_iter().map(|mut curve| {
-            curve.ink = curve.ink.map(|ink| ink + 2);
+            let round = |ink: usize| if curve.label.is_empty() { (ink + 2) % 8 } else { ink + 2 };
+            curve.ink = curve.ink.map(round);
             curve
         }));
         drawn.marks.extend(trajectories.marks);

@@ -124,7 +124,7 @@ pub(super) fn of_plan(
     progress: Progress,
 ) -> Result<Portrait, Error> {
     check(plan)?;
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan)?;
     let mut watch = |_: f64| progress(0.5);
     let flow = subject.flow(&mut watch);
     let shape = plan.layout.shape();
@@ -260,7 +260,7 @@ fn potential_panel(plan: &Plan, window: &analysis::Window) -> Option<Panel> {
     if (shape.coordinates, shape.state()) != (1, 2) {
         return None;
     }
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan).ok()?;
     let (x, y) = analysis::at_rest(subject.field.as_ref(), observable, window, 600).into_iter().unzip();
     Some(Panel {
         title: format!("{} at rest", readable(&plan.layout.observables[observable].quantity.name)),
@@ -316,7 +316,7 @@ fn reach(plan: &Plan) -> Vec<f64> {
 /// A little more than the velocity that climbs from the lowest to the highest potential inside the window.
 fn fastest(plan: &Plan, ranges: &[(f64, f64)]) -> Option<f64> {
     let energy = plan.layout.observables.iter().position(|o| o.quantity.name == "energy")?;
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan).ok()?;
     let window = analysis::Window { ranges: ranges.to_vec() };
     let curve = analysis::at_rest(subject.field.as_ref(), energy, &window, 200);
     let by_height = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);

@@ -88,7 +88,7 @@ pub(super) fn found(
     for (k, &x) in values.iter().enumerate() {
         let own = sweep::at(scenario, &parameter.name, x)?;
         let period = period(&own, "a response")?;
-        let subject = Subject::new(&own);
+        let subject = Subject::new(&own)?;
         let share = k as f64 / values.len() as f64;
         let mut watch = |_: f64| progress(share);
         let flow = subject.flow(&mut watch);

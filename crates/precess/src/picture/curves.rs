@@ -48,6 +48,14 @@ pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
                     ..Mark::default()
                 }));
             }
+            #[cfg(feature = "analyses")]
+            if panel.spec.circles {
+                let circle = |(k, row): (usize, &[f64])| {
+                    crate::analyses::osculating(one.plan, row, [i, j], ink + 1 + k)
+                };
+                let rows = panel.at.iter().filter_map(|&t| one.sample(t)).enumerate();
+                drawn.curves.extend(rows.filter_map(circle));
+            }
             let dots = panel.at.iter().filter_map(|&t| one.sample(t));
             let dot = |row: &[f64]| Mark { x: row[i], y: row[j], ink: Some(ink), ..Mark::default() };
             drawn.marks.extend(dots.map(dot));
