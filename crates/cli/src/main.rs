@@ -9,6 +9,7 @@ mod failure;
 mod gallery;
 mod lab;
 mod list;
+mod measured;
 mod output;
 mod progress;
 mod run;
@@ -37,6 +38,8 @@ fn main() -> ExitCode {
         Verb::Floquet(arguments) => analyse::floquet(&arguments),
         Verb::Frenet(arguments) => analyse::frenet(&arguments),
         Verb::Gallery(arguments) => gallery::gallery(&arguments),
+        Verb::Sensitivity(arguments) => analyse::sensitivity(&arguments),
+        Verb::Fit(arguments) => analyse::fit(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

@@ -1,17 +1,21 @@
 //! Questions beyond a run, asked of a scenario; each gives an [`Answer`] that any face can show.
 
 mod bifurcation;
+mod fit;
 mod floquet;
 mod frenet;
 mod lyapunov;
+mod numbers;
 mod panel;
 mod poincare;
 mod portrait;
 mod response;
+mod sensitivity;
 mod subject;
 mod sweep;
 
 pub use bifurcation::{BifurcationSpec, bifurcation};
+pub use fit::{Data, Fit, Fitted, fit};
 pub use floquet::{FloquetSpec, floquet};
 pub(crate) use frenet::osculating;
 pub use frenet::{FrenetSpec, frenet};
@@ -20,6 +24,7 @@ pub(crate) use panel::panel;
 pub use poincare::{PoincareSpec, poincare};
 pub use portrait::{PortraitSpec, portrait};
 pub use response::{ResponseSpec, response};
+pub use sensitivity::{Sensitivities, sensitivities, sensitivity};
 pub use sweep::{Sweep, Window};
 
 use crate::figure::Figure;
