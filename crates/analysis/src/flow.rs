@@ -1,5 +1,6 @@
 //! What every question is asked of: a system with its parameters, and how it is integrated from any state.
 
+use crate::matrix::Matrix;
 use crate::tangents::Tangents;
 use precess_integrate::{
     AnyMethod, Drive, Failure, Options, Pace, Report, Samples, Tolerance, Watched, drive,
@@ -151,6 +152,18 @@ impl Flow<'_> {
         let report = drive(&job, &mut keep, &mut |t| (self.progress.borrow_mut())(from + t));
         field.part(&end, state, vectors);
         report.failure.map_or(Ok(()), |failure| Err(later(failure, from)))
+    }
+
+    /// The derivative of the flow from `from` for a time `span` by the state it starts from, which moves along.
+    ///
+    /// # Errors
+    /// Where the integration cannot go on.
+    pub fn derivative(&self, from: f64, state: &mut [f64], span: f64) -> Result<Matrix, Failure> {
+        let size = self.size();
+        let unit = |k: usize| (0..size).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
+        let mut vectors: Vec<Vec<f64>> = (0..size).map(unit).collect();
+        self.carry(from, state, &mut vectors, span)?;
+        Ok(Matrix::of_columns(&vectors))
     }
 }
 

@@ -6,6 +6,7 @@
 //! Df v + df/dp, the slope at y + v e and p + e. A state and its tangent vectors are rows of
 //! one larger state (see [`Shape`]), so every method integrates them as they are.
 
+use crate::matrix::Matrix;
 use precess_scalar::Dual;
 use precess_system::{Field, Shape};
 use std::sync::Mutex;
@@ -98,4 +99,21 @@ impl Field<f64> for Tangents<'_> {
     }
     fn crossings(&self, _: f64, _: &[f64], _: &mut [f64]) {}
     fn jump(&self, _: usize, _: f64, _: &mut [f64]) {}
+}
+
+/// The derivative of the rates of the state by the state at a full state, row by row.
+pub fn jacobian(field: &dyn Field<Dual<f64>>, t: f64, y: &[f64]) -> Matrix {
+    let (size, full) = (field.shape().state(), field.shape().full());
+    let mut matrix = Matrix::zeros(size);
+    let mut state: Vec<Dual<f64>> = y.iter().map(|&x| Dual::constant(x)).collect();
+    let mut rate = vec![Dual::constant(0.0); full];
+    for j in 0..size {
+        state[j].slope = 1.0;
+        field.rate(Dual::constant(t), &state, &mut rate);
+        for (i, number) in rate.iter().take(size).enumerate() {
+            matrix.set(i, j, number.slope);
+        }
+        state[j].slope = 0.0;
+    }
+    matrix
 }

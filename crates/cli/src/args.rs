@@ -46,6 +46,18 @@ pub enum Verb {
     Poincare(Poincare),
     /// Basins of attraction: where each start of a grid ends, decided only by proof
     Basins(Basins),
+    /// Draws the phase portrait: energy levels, separatrices, and the fixed points with their kinds
+    Portrait(Portrait),
+    /// Finds amplitude and lag of the settled motion while a parameter of the drive goes through a range
+    Response(Response),
+    /// Records where the settled motion comes by while a parameter goes through a range
+    Bifurcation(Response),
+    /// Finds the multipliers of a driven motion over a period, and the parameters where it is unstable
+    Floquet(Floquet),
+    /// Follows a plane path with its moving frames: tangent and normal acceleration, curvature, polar accelerations
+    Frenet(Frenet),
+    /// Draws every scenario that comes with the program into a page of pictures with notes
+    Gallery(Gallery),
     /// Derivatives of a run with respect to its start and its parameters
     Sensitivity(Sensitivity),
     /// Fits starts and parameters to measured points
@@ -203,6 +215,75 @@ pub struct Basins {
     /// Goes on where the work is very large
     #[arg(long)]
     pub yes: bool,
+}
+
+/// A portrait.
+#[derive(Args)]
+pub struct Portrait {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// What is looked at, once for each number of the state: theta=-2*pi:2*pi
+    #[arg(long = "window", value_name = "NAME=LOW:HIGH", allow_hyphen_values = true)]
+    pub windows: Vec<String>,
+    /// About how many energy levels (12 where absent)
+    #[arg(long, value_name = "N")]
+    pub levels: Option<usize>,
+}
+
+/// A question asked at many values of a parameter.
+#[derive(Args)]
+pub struct Response {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// The parameter and its values, both ends included: frequency=0.2:3:200
+    #[arg(long, value_name = "NAME=LOW:HIGH:N", allow_hyphen_values = true)]
+    pub sweep: String,
+    /// The number of the state that is looked at; the first coordinate where absent
+    #[arg(long, value_name = "NAME")]
+    pub coordinate: Option<String>,
+    /// From the last value to the first: each value starts where the one before has settled
+    #[arg(long)]
+    pub down: bool,
+}
+
+/// A plane path.
+#[derive(Args)]
+pub struct Frenet {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// Horizontal quantity of the path; that of the card's own path where absent
+    #[arg(long, value_name = "NAME")]
+    pub x: Option<String>,
+    /// Vertical quantity of the path
+    #[arg(long, value_name = "NAME")]
+    pub y: Option<String>,
+}
+
+/// Multipliers.
+#[derive(Args)]
+pub struct Floquet {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// A parameter and its values: alpha=1:4:100; twice for a map of stable and unstable parameters
+    #[arg(long = "sweep", value_name = "NAME=LOW:HIGH:N", allow_hyphen_values = true)]
+    pub sweeps: Vec<String>,
+}
+
+/// A gallery.
+#[derive(Args)]
+pub struct Gallery {
+    /// Only scenarios whose file name contains one of these: p-fig-25
+    pub names: Vec<String>,
+    /// The folder for pages and pictures
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// No progress
+    #[arg(short, long)]
+    pub quiet: bool,
 }
 
 /// Derivatives.

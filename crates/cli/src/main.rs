@@ -8,6 +8,7 @@ mod body;
 mod compare;
 mod draw;
 mod failure;
+mod gallery;
 mod lab;
 mod list;
 mod measured;
@@ -35,6 +36,12 @@ fn main() -> ExitCode {
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
         Verb::Basins(arguments) => basins::basins(&arguments),
+        Verb::Portrait(arguments) => analyse::portrait(&arguments),
+        Verb::Response(arguments) => analyse::response(&arguments),
+        Verb::Bifurcation(arguments) => analyse::bifurcation(&arguments),
+        Verb::Floquet(arguments) => analyse::floquet(&arguments),
+        Verb::Frenet(arguments) => analyse::frenet(&arguments),
+        Verb::Gallery(arguments) => gallery::gallery(&arguments),
         Verb::Sensitivity(arguments) => analyse::sensitivity(&arguments),
         Verb::Fit(arguments) => analyse::fit(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),

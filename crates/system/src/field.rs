@@ -261,6 +261,23 @@ impl<M: System, S: Scalar> Rates<S> for M {
     }
 }
 
+/// Observes a state once, on a number that no method integrates with.
+#[cfg(feature = "tangents")]
+pub trait Observes<S: Scalar> {
+    /// The observables of a full state.
+    fn observed(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Vec<S>;
+}
+
+#[cfg(feature = "tangents")]
+impl<M: System, S: Scalar> Observes<S> for M {
+    fn observed(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Vec<S> {
+        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let mut out = vec![S::from(0.0); bound.shape.observables];
+        self.observe(&bound.state(t, y), &mut out);
+        out
+    }
+}
+
 /// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
 /// more, which a browser would have to load.
 #[cfg(feature = "laws")]
@@ -270,9 +287,9 @@ pub trait LawNumbers: Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> + 
 pub trait LawNumbers {}
 impl<M: System> LawNumbers for M {}
 
-/// The number of the analyses: a state with a direction in which it moves. A face that offers none leaves it out.
+/// The numbers of the analyses: a state with a direction in which it moves, and observables with two. A face that offers none leaves it out.
 #[cfg(feature = "tangents")]
-pub trait TangentNumbers: Bind<Dual<f64>> {}
+pub trait TangentNumbers: Bind<Dual<f64>> + Observes<Dual<Dual<f64>>> {}
 /// The number of the analyses, without the feature `tangents`: none.
 #[cfg(not(feature = "tangents"))]
 pub trait TangentNumbers {}

@@ -19,6 +19,8 @@ mod values;
 
 pub use card::{Card, Defaults, Direction, Event, Held, Observable, ObservableKind, View, card};
 pub use expression::expression;
+#[cfg(feature = "tangents")]
+pub use field::Observes;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
 pub use hamilton::{beside_the_lagrangian, momenta};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};

@@ -8,7 +8,7 @@
 use crate::complex::Complex;
 use crate::linear;
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 use std::f64::consts::TAU;
 
 /// See the module.
@@ -39,6 +39,10 @@ impl System for CarSuspension {
             .time_view(&["x", "road"])
             .phase_view("x", "x_dot")
             .run(60.0, 0.001)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some((values.numbers[4] / values.numbers[5]).abs())
     }
 
     #[inline(always)]

@@ -8,7 +8,7 @@
 use crate::complex::Complex;
 use crate::linear;
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -35,6 +35,10 @@ impl System for DrivenOscillator {
             .time_view(&["x"])
             .phase_view("x", "x_dot")
             .run(60.0, 0.0001)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[3].abs())
     }
 
     #[inline(always)]

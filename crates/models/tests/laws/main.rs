@@ -10,6 +10,7 @@ mod draw;
 mod invariants;
 mod lagrangian;
 mod parity;
+mod period;
 mod units;
 
 use precess_system::AnySystem;
