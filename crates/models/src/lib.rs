@@ -1,9 +1,11 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
+mod attitude;
 mod gravity;
 mod oscillators;
 mod pendulums;
 mod rotation;
+mod table;
 mod tops;
 
 use precess_system::AnySystem;
@@ -20,4 +22,13 @@ pub const ALL: &[&dyn AnySystem] = &[
     &tops::gyroscope::Gyroscope,
     &tops::tippe_top_rolling::TippeTopRolling,
     &tops::free_body::FreeBody,
+    &table::rolling_body::ROLLING_BODY,
+    &table::rattleback::RATTLEBACK,
+    &table::euler_disk::EULER_DISK,
+    &table::sliding_body::SLIDING_BODY,
+    &table::tippe_top::TIPPE_TOP,
+    &table::spinning_egg::SPINNING_EGG,
+    &table::sliding_cone::SLIDING_CONE,
+    &table::rounded_top::ROUNDED_TOP,
+    &table::billiard_ball::BILLIARD_BALL,
 ];

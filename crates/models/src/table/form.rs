@@ -1,0 +1,74 @@
+//! The ways to give a body by parameters: written out, or by the few numbers of a named top.
+
+use super::body::{Body, Symmetric};
+use precess_scalar::Scalar;
+
+/// How a system's first parameters make a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    /// `m, i11, i22, i33, i12, i13, i23, point1, point2, point3, radius, axis1, axis2, axis3`.
+    General,
+    /// `m, radius, alpha, i1, i3`: a sphere whose centre lies `alpha radius` above G.
+    Sphere,
+    /// `m, a, b, h, i1, i3`: a spheroid, a along its axis, its centre h above G.
+    Spheroid,
+    /// `m, d, tip, i1, i3`: a tip of radius `tip`, its lowest point d below G.
+    Tip,
+    /// `m, a, b, c, h, i11, i22, i33, i12`: an ellipsoid whose centre lies h above G.
+    Ellipsoid,
+    /// `m, radius, edge, i1, i3`: a disc of this radius whose edge is round.
+    Disc,
+}
+
+impl Form {
+    /// How many parameters it takes.
+    pub const fn count(self) -> usize {
+        match self {
+            Self::General => 14,
+            Self::Sphere | Self::Tip | Self::Disc => 5,
+            Self::Spheroid => 6,
+            Self::Ellipsoid => 9,
+        }
+    }
+
+    /// The body touches with a sphere about a point of its axis of symmetry: Jellett's quantity is constant.
+    pub const fn is_spherical(self) -> bool {
+        matches!(self, Self::Sphere | Self::Tip)
+    }
+
+    /// The body of these parameters.
+    #[inline(always)]
+    pub fn body<S: Scalar>(self, p: &[S]) -> Body<S> {
+        let zero = S::from(0.0);
+        let symmetric = |i1, i3| Symmetric { diagonal: [i1, i1, i3], off: [zero; 3] };
+        match *p {
+            [m, i11, i22, i33, i12, i13, i23, p1, p2, p3, radius, a1, a2, a3, ..]
+                if self == Self::General =>
+            {
+                let inertia = Symmetric { diagonal: [i11, i22, i33], off: [i23, i13, i12] };
+                Body { mass: m, inertia, point: [p1, p2, p3], radius, axes: [a1, a2, a3] }
+            }
+            [m, a, b, c, h, i11, i22, i33, i12, ..] if self == Self::Ellipsoid => {
+                let inertia = Symmetric { diagonal: [i11, i22, i33], off: [zero, zero, i12] };
+                Body { mass: m, inertia, point: [zero, zero, h], radius: zero, axes: [a, b, c] }
+            }
+            [m, a, b, h, i1, i3, ..] if self == Self::Spheroid => Body {
+                mass: m,
+                inertia: symmetric(i1, i3),
+                point: [zero, zero, h],
+                radius: zero,
+                axes: [b, b, a],
+            },
+            [m, size, other, i1, i3, ..] => {
+                let (point, radius, axes) = match self {
+                    Self::Sphere => (size * other, size, zero),
+                    Self::Disc => (zero, other, size - other),
+                    _ => (other - size, other, zero),
+                };
+                let inertia = symmetric(i1, i3);
+                Body { mass: m, inertia, point: [zero, zero, point], radius, axes: [axes, axes, zero] }
+            }
+            _ => unreachable!("a card lists the parameters of its form"),
+        }
+    }
+}
