@@ -4,7 +4,7 @@ export default defineConfig({
   test: {
     environment: "node",
     include: ["tests/**/*.test.ts"],
-    // The golden runs integrate ten systems under eight methods in one test.
+    // The golden runs integrate every system and every method in one test.
     testTimeout: 120_000,
   },
 });

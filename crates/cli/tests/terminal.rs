@@ -117,7 +117,8 @@ fn the_golden_hashes_hold_in_the_terminal() {
     for line in golden.lines().skip(1) {
         let words: Vec<&str> = line.split(' ').collect();
         let [system, method, step, until, every, hash] = words[..] else { panic!("{line}") };
-        let adaptive = ["dopri5", "dop853"].contains(&method);
+        let card = precess::catalogue::method(method).expect("a method").card();
+        let adaptive = card.kind == precess::integrate::Kind::Adaptive;
         let mut arguments = vec!["run", system, "--method", method, "--until", until, "--every", every];
         arguments.extend(if adaptive { vec!["--rtol", step, "--atol", step] } else { vec!["--dt", step] });
         arguments.extend(["--quiet", "--hash"]);

@@ -11,7 +11,9 @@ mod tops;
 use precess_system::AnySystem;
 
 /// Every system, in the order in which a catalogue shows them.
-pub const ALL: &[&dyn AnySystem] = &[
+///
+/// A static, not a constant: every crate that uses a constant would compile all systems once more.
+pub static ALL: &[&dyn AnySystem] = &[
     &oscillators::harmonic_oscillator::HarmonicOscillator,
     &oscillators::planar_oscillator::PlanarOscillator,
     &pendulums::pendulum::Pendulum,

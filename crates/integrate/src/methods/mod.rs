@@ -13,7 +13,7 @@ mod verlet;
 use crate::AnyMethod;
 
 /// Every method, in the order in which a catalogue shows them.
-pub const METHODS: &[&dyn AnyMethod] = &[
+pub static METHODS: &[&dyn AnyMethod] = &[
     &euler::Euler,
     &euler_taylor::EulerTaylor,
     &euler_cromer::EulerCromer,
