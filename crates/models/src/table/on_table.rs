@@ -107,19 +107,19 @@ impl Top {
     }
 
     fn observables(&self, card: Card, slides: bool) -> Card {
-        let mut held = vec!["damping"];
-        let mut free = held.clone();
+        // What drills turns the body about the normal, which the lever r is not.
+        let held: &[&str] = if slides { &["damping", "spot"] } else { &["damping"] };
+        let mut free = vec!["damping"];
         if slides {
             free.push("mu");
         }
         if self.form == Form::General {
             free.extend(["shake_x", "shake_z"]);
         }
-        held.truncate(1);
         let card = card.invariant_if("energy", "J", &free, "total energy", "énergie totale");
         let (en, fr) = ("Jellett's quantity, -L.r", "grandeur de Jellett, -L.r");
         let card = if self.form.is_spherical() {
-            card.invariant_if("jellett", "kg m^3/s", &held, en, fr)
+            card.invariant_if("jellett", "kg m^3/s", held, en, fr)
         } else {
             card.signal("jellett", "kg m^3/s", en, fr)
         };
@@ -154,7 +154,7 @@ impl Top {
             found.denominator,
             ux,
             uy,
-            (ux * ux + uy * uy).sqrt(),
+            found.slip_size,
             found.power,
             omega[2],
         ]);
@@ -221,6 +221,7 @@ fn possible(body: &Body<f64>) -> Result<(), String> {
 struct Found<S> {
     velocity: [S; 2],
     slip: [S; 2],
+    slip_size: S,
     /// On the body, along the table's axes.
     force: [S; 3],
     /// The friction that rolling without slipping needs.
@@ -258,6 +259,7 @@ impl System for Roller {
         let found = Found {
             velocity: [dot(seen.rows[0], velocity), dot(seen.rows[1], velocity)],
             slip: [zero, zero],
+            slip_size: zero,
             force,
             needed: (force[0] * force[0] + force[1] * force[1]).sqrt(),
             denominator: S::from(1.0) / seen.body.mass + dot(arm, seen.body.inertia.inverse().times(arm)),
@@ -312,6 +314,7 @@ impl System for Slider {
         let found = Found {
             velocity: [vx, vy],
             slip,
+            slip_size: (slip[0] * slip[0] + slip[1] * slip[1]).sqrt(),
             force,
             needed: dot(across, across).sqrt(),
             denominator: moving.denominator,
@@ -397,7 +400,7 @@ fn friction_parameters(card: Card) -> Card {
         number(
             "spot",
             "m",
-            5e-4,
+            0.0,
             "radius of the contact spot that drills",
             "rayon de la tache de contact qui pivote",
         )

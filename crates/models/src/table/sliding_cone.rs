@@ -10,7 +10,7 @@ pub const SLIDING_CONE: Slider = Slider(&Top {
     card: text,
     parameters,
     angles: [0.0, 0.3, 0.0],
-    omega: [0.0, 0.0, 300.0],
+    omega: [0.0, 0.0, 150.0],
     speed: 0.0,
     run,
 });
