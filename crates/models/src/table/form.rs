@@ -12,8 +12,6 @@ pub(super) enum Form {
     Sphere,
     /// `m, a, b, h, i1, i3`: a spheroid, a along its axis, its centre h above G.
     Spheroid,
-    /// `m, d, tip, i1, i3`: a tip of radius `tip`, its lowest point d below G.
-    Tip,
     /// `m, a, b, c, h, i11, i22, i33, i12`: an ellipsoid whose centre lies h above G.
     Ellipsoid,
     /// `m, radius, edge, i1, i3`: a disc of this radius whose edge is round.
@@ -25,7 +23,7 @@ impl Form {
     pub const fn count(self) -> usize {
         match self {
             Self::General => 14,
-            Self::Sphere | Self::Tip | Self::Disc => 5,
+            Self::Sphere | Self::Disc => 5,
             Self::Spheroid => 6,
             Self::Ellipsoid => 9,
         }
@@ -33,7 +31,7 @@ impl Form {
 
     /// The body touches with a sphere about a point of its axis of symmetry: Jellett's quantity is constant.
     pub const fn is_spherical(self) -> bool {
-        matches!(self, Self::Sphere | Self::Tip)
+        matches!(self, Self::Sphere)
     }
 
     /// The body of these parameters.
@@ -62,8 +60,7 @@ impl Form {
             [m, size, other, i1, i3, ..] => {
                 let (point, radius, axes) = match self {
                     Self::Sphere => (size * other, size, zero),
-                    Self::Disc => (zero, other, size - other),
-                    _ => (other - size, other, zero),
+                    _ => (zero, other, size - other),
                 };
                 let inertia = symmetric(i1, i3);
                 Body { mass: m, inertia, point: [zero, zero, point], radius, axes: [axes, axes, zero] }

@@ -12,8 +12,6 @@ pub mod billiard_ball;
 pub mod euler_disk;
 pub mod rattleback;
 pub mod rolling_body;
-pub mod rounded_top;
 pub mod sliding_body;
-pub mod sliding_cone;
 pub mod spinning_egg;
 pub mod tippe_top;
