@@ -69,7 +69,7 @@ where
                 y[shape.place(row, j)] = S::from_lanes(|lane| start(row, lane, j));
             }
         }
-        let mut stepper = self.method.stepper(&shape, &self.options);
+        let mut stepper = Steps::<S>::stepper(self.method, &shape, &self.options);
         let (field, stepper, samples) = (self.field, &mut *stepper, self.samples);
         match self.pace {
             Pace::Fixed(dt) => self.fixed(*dt, &shape, stepper, y, count, record),

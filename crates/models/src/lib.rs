@@ -7,6 +7,7 @@ mod pendulums;
 mod rotation;
 mod table;
 mod tops;
+mod waterwheels;
 
 use precess_system::AnySystem;
 
@@ -15,11 +16,32 @@ use precess_system::AnySystem;
 /// A static, not a constant: every crate that uses a constant would compile all systems once more.
 pub static ALL: &[&dyn AnySystem] = &[
     &oscillators::harmonic_oscillator::HarmonicOscillator,
+    &oscillators::spring::Spring,
     &oscillators::planar_oscillator::PlanarOscillator,
+    &oscillators::potential_well::PotentialWell,
+    &oscillators::cubic_well::CubicWell,
+    &oscillators::bead_on_curve::BeadOnCurve,
+    &oscillators::van_der_pol::VanDerPol,
+    &oscillators::parametric_oscillator::ParametricOscillator,
+    &oscillators::driven_oscillator::DrivenOscillator,
+    &oscillators::car_suspension::CarSuspension,
+    &oscillators::duffing::Duffing,
+    &oscillators::henon_heiles::HenonHeiles,
     &pendulums::pendulum::Pendulum,
+    &pendulums::kapitza_pendulum::KapitzaPendulum,
+    &pendulums::wheel_pendulum::WheelPendulum,
+    &pendulums::driven_pendulum::DrivenPendulum,
+    &pendulums::elastic_pendulum::ElasticPendulum,
+    &pendulums::spherical_pendulum::SphericalPendulum,
+    &pendulums::foucault_pendulum::FoucaultPendulum,
+    &pendulums::coupled_pendulums::CoupledPendulums,
     &pendulums::double_pendulum::DoublePendulum,
+    &pendulums::n_pendulum::NPendulum,
+    &pendulums::swinging_atwood::SwingingAtwood,
     &pendulums::magnetic_pendulum::MagneticPendulum,
-    &pendulums::noria::Noria,
+    &waterwheels::noria::Noria,
+    &waterwheels::malkus_waterwheel::MalkusWaterwheel,
+    &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
     &tops::tippe_top_rolling::TippeTopRolling,

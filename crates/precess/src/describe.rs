@@ -1,7 +1,7 @@
 //! A system's equations as text, from the definition that is integrated.
 
-use precess_scalar::{Notation, Tape, Traced};
-use precess_system::{AnySystem, Bind, Card, Default, Layout, Order, Quantity, Values};
+use precess_scalar::{Notation, Tape};
+use precess_system::{AnySystem, Card, Default, Layout, Order, Quantity, Rates, Values};
 use std::cell::Cell;
 
 /// The equations of a system, printed.
@@ -35,9 +35,7 @@ pub fn record(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) -> 
     Tape::record(1 + full + parameters, |x| {
         let next = Cell::new(1 + full);
         let traced = values.map(|_| x[next.replace(next.get() + 1)]);
-        let field = Bind::<Traced>::bind(system, traced, layout);
-        let mut dy = vec![Traced::from(0.0); full];
-        field.rate(x[0], &x[1..=full], &mut dy);
+        let (dy, _) = Rates::rates(system, traced, layout, x[0], &x[1..=full]);
         // An acceleration stands in its velocity's place, the rate of a first-order coordinate in its own.
         let place = |i: usize| shape.pairs().find(|p| p.0 == i).map_or(i, |p| p.1);
         (0..shape.coordinates).map(|i| dy[place(i)]).collect()

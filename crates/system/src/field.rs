@@ -128,7 +128,8 @@ where
     }
 
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S> {
-        self.system.lagrangian(&self.state(t, y))
+        // Only the laws ask for it.
+        if cfg!(feature = "laws") { self.system.lagrangian(&self.state(t, y)) } else { None }
     }
 
     fn jump(&self, event: usize, t: S, y: &mut [S]) {
@@ -149,10 +150,31 @@ impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
     }
 }
 
+/// Evaluates a system's equations once: all that is asked of numbers that look at equations (what they depend on, how
+/// they are written) instead of computing with them. A whole [`Field`] of each would be compiled for nothing.
+pub trait Rates<S: Scalar> {
+    /// The rates of a full state, and the event functions there.
+    fn rates(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> (Vec<S>, Vec<S>);
+}
+
+impl<M: System, S: Scalar> Rates<S> for M {
+    fn rates(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> (Vec<S>, Vec<S>) {
+        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let mut rates = vec![S::from(0.0); y.len()];
+        bound.rates(t, y, &mut rates);
+        let mut crossings = vec![S::from(0.0); bound.shape.events];
+        self.crossings(&bound.state(t, y), &mut crossings);
+        (rates, crossings)
+    }
+}
+
 /// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
 /// more, which a browser would have to load.
 #[cfg(feature = "laws")]
-pub trait LawNumbers: Bind<Dual<f64>> + Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> {}
+pub trait LawNumbers:
+    Bind<Dual<f64>> + Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> + Bind<Traced>
+{
+}
 /// The numbers of the laws, without the feature `laws`: none.
 #[cfg(not(feature = "laws"))]
 pub trait LawNumbers {}
@@ -167,8 +189,8 @@ pub trait AnySystem:
     + Bind<Narrow>
     + Bind<Wide>
     + Bind<Widest>
-    + Bind<Dependence>
-    + Bind<Traced>
+    + Rates<Dependence>
+    + Rates<Traced>
 {
     /// See [`System::card`].
     fn card(&self) -> Card;

@@ -1,6 +1,6 @@
 //! What a system's equations depend on: found by running them, not declared.
 
-use crate::{AnySystem, Bind, Layout, Values};
+use crate::{AnySystem, Layout, Rates, Values};
 use precess_scalar::Dependence;
 
 /// Facts about the equations with given parameters.
@@ -36,20 +36,17 @@ fn mark(coordinate: usize) -> u64 {
 /// Finds the structure of a system's equations for these parameters.
 pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) -> Structure {
     let shape = layout.shape();
-    let field = Bind::<Dependence>::bind(system, values.map(|&x| Dependence::from(x)), layout);
     let mut y = vec![Dependence::On(VELOCITY); shape.state()];
     for (i, place) in y[..shape.coordinates].iter_mut().enumerate() {
         *place = Dependence::On(mark(i));
     }
     y.resize(shape.full(), Dependence::On(0));
-    let mut dy = y.clone();
-    field.rate(Dependence::On(TIME), &y, &mut dy);
+    let values = values.map(|&x| Dependence::from(x));
+    let (mut dy, crossings) = Rates::rates(system, values, layout, Dependence::On(TIME), &y);
     // The rate of a second-order coordinate is its velocity by definition: only the equations count.
     for (i, _) in shape.pairs() {
         dy[i] = Dependence::from(0.0);
     }
-    let mut crossings = vec![Dependence::from(0.0); shape.events];
-    field.crossings(Dependence::On(TIME), &y, &mut crossings);
     let marks = dy.iter().chain(&crossings).fold(0, |all, d| all | d.marks());
     let has_velocity = |i| shape.second.contains(&i);
     Structure {

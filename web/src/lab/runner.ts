@@ -1,8 +1,8 @@
 // Runs scenarios one after the other in a worker. A run that takes long gives way to a newer one.
 
 import type { Catalogue } from "../core";
-import simdUrl from "../../wasm/precess-simd128.wasm?url";
-import plainUrl from "../../wasm/precess.wasm?url";
+// A run needs no lanes: the smaller core is the one that everybody loads.
+import url from "../../wasm/precess.wasm?url";
 import type { Answer, Ask } from "./messages";
 
 export type Done = Extract<Answer, { kind: "done" }>;
@@ -24,12 +24,6 @@ interface Job {
   reject: (error: Error) => void;
 }
 
-/** The smallest module with a 128-bit number in it. */
-const SIMD = new Uint8Array([
-  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98,
-  11,
-]);
-
 export class Runner {
   readonly #module: WebAssembly.Module;
   #worker: Worker;
@@ -45,7 +39,6 @@ export class Runner {
   }
 
   static async open(): Promise<Runner> {
-    const url = WebAssembly.validate(SIMD) ? simdUrl : plainUrl;
     const response = await fetch(url);
     if (!response.ok) throw new Error(`${url}: ${response.status}`);
     const runner = new Runner(await WebAssembly.compile(await response.arrayBuffer()));

@@ -65,6 +65,10 @@ export const en = {
   equalScales: "equal scales",
   graph: "Graph",
   invariants: "Drift of the invariants",
+  map: "Map of starts",
+  colour: "colour",
+  mapHint:
+    "Each point is a start; its colour is where the run from it is when it ends. Nothing is proved about what happens later. Click to open a run.",
   link: {
     broken: "This link is damaged and holds no scenario; what you had is still here.",
     huge: "This link is larger than any scenario; what you had is still here.",

@@ -65,6 +65,10 @@ export const fr: Words = {
   equalScales: "mêmes échelles",
   graph: "Graphique",
   invariants: "Dérive des invariants",
+  map: "Carte des départs",
+  colour: "couleur",
+  mapHint:
+    "Chaque point est un départ ; sa couleur dit où en est le mouvement à la fin du calcul. Rien n'est prouvé sur la suite. Cliquez pour ouvrir un calcul.",
   link: {
     broken: "Ce lien est abîmé et ne contient aucun scénario ; votre travail est toujours là.",
     huge: "Ce lien est plus grand que tout scénario ; votre travail est toujours là.",

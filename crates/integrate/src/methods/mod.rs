@@ -1,14 +1,24 @@
 //! The methods, one file each.
 
+mod collocation;
+mod composition;
 mod dop853;
 mod dopri5;
 mod euler;
 mod euler_cromer;
 mod euler_taylor;
+mod gauss_legendre16;
+mod gauss_legendre4;
+mod gauss_legendre6;
 mod glide;
+mod implicit_midpoint;
 mod newmark;
 mod rk4;
+mod tsit5;
 mod verlet;
+mod yoshida4;
+mod yoshida6;
+mod yoshida8;
 
 use crate::AnyMethod;
 
@@ -18,8 +28,16 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &euler_taylor::EulerTaylor,
     &euler_cromer::EulerCromer,
     &verlet::Verlet,
+    &yoshida4::Yoshida4,
+    &yoshida6::Yoshida6,
+    &yoshida8::Yoshida8,
     &newmark::Newmark,
+    &implicit_midpoint::ImplicitMidpoint,
+    &gauss_legendre4::GaussLegendre4,
+    &gauss_legendre6::GaussLegendre6,
+    &gauss_legendre16::GaussLegendre16,
     &rk4::Rk4,
     &dopri5::Dopri5,
+    &tsit5::Tsit5,
     &dop853::Dop853,
 ];

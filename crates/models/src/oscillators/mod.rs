@@ -1,2 +1,13 @@
+pub mod bead_on_curve;
+pub mod car_suspension;
+pub mod cubic_well;
+pub mod driven_oscillator;
+pub mod duffing;
 pub mod harmonic_oscillator;
+pub mod henon_heiles;
+pub mod parametric_oscillator;
 pub mod planar_oscillator;
+mod polynomial;
+pub mod potential_well;
+pub mod spring;
+pub mod van_der_pol;

@@ -1,5 +1,12 @@
+pub mod coupled_pendulums;
 pub mod double_pendulum;
+pub mod driven_pendulum;
+pub mod elastic_pendulum;
+pub mod foucault_pendulum;
+pub mod kapitza_pendulum;
 pub mod magnetic_pendulum;
-pub mod noria;
-mod noria_card;
+pub mod n_pendulum;
 pub mod pendulum;
+pub mod spherical_pendulum;
+pub mod swinging_atwood;
+pub mod wheel_pendulum;

@@ -24,7 +24,7 @@ pub fn cases(system: Any) -> Result<Vec<Vec<Case>>, String> {
     let plain = Values::defaults(&card);
     let mut longer = plain.clone();
     for list in &mut longer.lists {
-        let more = list.items[..2 * list.width].to_vec();
+        let more: Vec<f64> = list.items.iter().copied().cycle().take(2 * list.width).collect();
         list.items.extend(more);
     }
     let mut variants = vec![(plain.clone(), Given::default())];

@@ -4,7 +4,7 @@
 
 use crate::{Any, cases, cases::Case, finds, holds_for_all, invariants::set_to_zero, within};
 use precess_scalar::Dual;
-use precess_system::{Field, ObservableKind};
+use precess_system::{Bind, Field, ObservableKind};
 
 /// The residual may be this part of the sum of its terms' sizes.
 const BOUND: f64 = 1e-13;
@@ -38,12 +38,29 @@ pub fn law(system: Any) -> Result<(), String> {
     Ok(())
 }
 
-/// The parameters that the energy's condition names are set to zero.
+/// The losses are set to zero: the parameters that the energy's condition names and that the Lagrangian does not know.
+/// (Those of a drive, or of a friction that it does know, stay.)
 fn without_losses(system: Any, case: &mut Case) {
     let energy = case.layout.observables.iter().find(|o| o.quantity.name == "energy");
-    if let Some(ObservableKind::Invariant { when_zero }) = energy.map(|o| o.kind.clone()) {
-        set_to_zero(&system.card(), case, &when_zero);
-    }
+    let Some(ObservableKind::Invariant { when_zero }) = energy.map(|o| o.kind.clone()) else { return };
+    let losses = when_zero.into_iter().filter(|name| !is_known_to_the_lagrangian(system, case, name));
+    set_to_zero(&system.card(), case, &losses.collect::<Vec<_>>());
+}
+
+/// Whether the Lagrangian changes with this numeric parameter.
+fn is_known_to_the_lagrangian(system: Any, case: &Case, name: &str) -> bool {
+    let mut values = case.values.map(|&x| Dual::constant(x));
+    let card = system.card();
+    let place = (0..values.numbers.len()).find(|&k| {
+        let mut moved = case.values.clone();
+        moved.numbers[k] = f64::NAN;
+        moved.number(&card, name).is_some_and(f64::is_nan)
+    });
+    let Some(place) = place else { return false };
+    values.numbers[place].slope = 1.0;
+    let field: Box<dyn Field<Dual<f64>>> = Bind::bind(system, values, &case.layout);
+    let y: Vec<_> = case.y.iter().map(|&x| Dual::constant(x)).collect();
+    field.lagrangian(Dual::constant(case.t), &y).is_some_and(|l| l.slope != 0.0)
 }
 
 /// The residual of the equation of coordinate `i`, and the sum of the sizes of its terms.

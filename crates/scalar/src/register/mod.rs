@@ -25,7 +25,7 @@ mod x86;
 
 pub use word::Word;
 
-use crate::{Batch, Kernel};
+use crate::Kernel;
 
 #[cfg(target_arch = "x86_64")]
 mod widths {
@@ -45,23 +45,36 @@ mod widths {
     pub type Wide = Narrow;
     pub type Widest = Narrow;
 }
+/// A machine without such registers computes with plain numbers: nothing is compiled a second time for it.
 #[cfg(not(any(
     target_arch = "x86_64",
     target_arch = "aarch64",
     all(target_arch = "wasm32", target_feature = "simd128")
 )))]
-mod widths {
+mod lanes {
+    /// Plain numbers: this machine has no lanes.
     pub type Narrow = f64;
+    /// The same.
     pub type Wide = f64;
+    /// The same.
     pub type Widest = f64;
 }
-
-/// The lanes that every machine of this architecture has.
-pub type Narrow = Batch<widths::Narrow>;
-/// Wider ones, or the same.
-pub type Wide = Batch<widths::Wide>;
-/// The widest, or the same.
-pub type Widest = Batch<widths::Widest>;
+#[cfg(any(
+    target_arch = "x86_64",
+    target_arch = "aarch64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+))]
+mod lanes {
+    use super::widths;
+    use crate::Batch;
+    /// The lanes that every machine of this architecture has.
+    pub type Narrow = Batch<widths::Narrow>;
+    /// Wider ones, or the same.
+    pub type Wide = Batch<widths::Wide>;
+    /// The widest, or the same.
+    pub type Widest = Batch<widths::Widest>;
+}
+pub use lanes::{Narrow, Wide, Widest};
 
 /// A few numbers that go through the same operations at once, each rounded as IEEE 754 says.
 ///

@@ -1,0 +1,50 @@
+//! Gauss's collocation with three stages: order 6 (J. C. Butcher, Math. Comp. 18, 50, 1964).
+
+use super::collocation::{Collocation, Half};
+use crate::coefficient::{decimal, ratio};
+use crate::{Kind, Method, MethodCard, Needs, OptionCard, Options};
+use precess_scalar::Scalar;
+use precess_system::Shape;
+
+/// See the module.
+pub struct GaussLegendre6;
+
+static CARD: MethodCard = MethodCard {
+    id: "gauss_legendre6",
+    title: ("Gauss-Legendre 6", "Gauss-Legendre 6"),
+    about: (
+        "Symplectic and symmetric for every system, of order 6; a loop solves each step.",
+        "Symplectique et symétrique pour tout système, d'ordre 6 ; une boucle résout chaque pas.",
+    ),
+    order: 6,
+    kind: Kind::Fixed,
+    needs: Needs::Any,
+    symplectic: true,
+    reversible: true,
+    source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
+    options: &[OptionCard {
+        name: "epsilon",
+        default: 1e-12,
+        low: 1e-15,
+        high: 1.0,
+        text: (
+            "where the loop may end, relative to the state",
+            "fin possible de la boucle, relative à l'état",
+        ),
+    }],
+};
+
+/// Times and weights of the first half of the stages.
+const HALF: Half =
+    &[(decimal("0.112701665379258311482073460021760"), ratio(5, 18)), (ratio(1, 2), ratio(4, 9))];
+
+impl Method for GaussLegendre6 {
+    fn card(&self) -> &'static MethodCard {
+        &CARD
+    }
+    type Steps<S: Scalar + Send> = Collocation<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
+        Collocation::new(shape, HALF, 3, false, options.epsilon)
+    }
+}
