@@ -184,7 +184,10 @@ function neighbours(core: Core, text: string): Starts {
   const names = alone.report.columns.filter(({ kind }) => kind === "state").map(({ name }) => name);
   const start = names.map((name) => alone.column(name)[0] ?? NaN);
   alone.free();
-  const factor = (member: number) => (member === PLACE ? 1 : 1 + 1e-3 * (member - 9.5));
-  const values = Array.from({ length: 19 }, (_, member) => start.map((x) => x * factor(member))).flat();
+  // A driven system may start from rest at zero, where a factor would change nothing.
+  const size = start.every((x) => x === 0) ? () => 1 : Math.abs;
+  const share = (member: number) => (member === PLACE ? 0 : 1e-3 * (member - 9.5));
+  const moved = (x: number, member: number) => x + size(x) * share(member);
+  const values = Array.from({ length: 19 }, (_, member) => start.map((x) => moved(x, member))).flat();
   return { names, values };
 }

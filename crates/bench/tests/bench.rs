@@ -1,5 +1,6 @@
 //! The measurements measure what they say. No test asks how long anything took.
 
+use precess::integrate::Needs;
 use precess_bench::{Effort, Error, Kind, NAMES, Peer, Settings, Table, measure};
 
 /// As little work as there can be.
@@ -11,8 +12,7 @@ fn measured(name: &str, peers: &[&str]) -> Result<Vec<Table>, Error> {
 }
 
 fn needs_separable(method: &str) -> bool {
-    let card = precess::catalogue::method(method).map(|method| method.card());
-    card.is_ok_and(|card| card.needs == precess::integrate::Needs::Separable)
+    precess::catalogue::method(method).is_ok_and(|method| method.card().needs == Needs::Separable)
 }
 
 /// That the bits are the same in all registers is checked on the way: a difference would be an error.

@@ -38,6 +38,10 @@ pub enum Verb {
     Run(Run),
     /// Runs several methods on the same start, side by side
     Compare(Compare),
+    /// Finds how fast neighbours of a motion move away from it, in every direction (Lyapunov exponents)
+    Lyapunov(Analysis),
+    /// Finds where a motion passes through a surface (Poincaré section)
+    Poincare(Poincare),
     /// Measures how fast this program is on this machine, ratios first
     Bench(Bench),
     /// Serves the lab to a browser on this machine and prints its address; Ctrl-C ends it
@@ -126,6 +130,40 @@ pub struct Compare {
     /// Method ids, separated by commas
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', required = true)]
     pub methods: Vec<String>,
+}
+
+/// What an analysis is asked of, and where the answer goes.
+#[derive(Args)]
+pub struct Analysis {
+    /// What is run.
+    #[command(flatten)]
+    pub subject: Subject,
+    /// Integration method
+    #[arg(long, value_name = "ID")]
+    pub method: Option<String>,
+    /// Sets an option of the method: alpha=1
+    #[arg(long = "option", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub options: Vec<String>,
+}
+
+/// A section.
+#[derive(Args)]
+pub struct Poincare {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// The surface: "theta = 0", "theta = 0 mod 2*pi", "t = 0 mod 3" (in the time of a drive: "mod period")
+    #[arg(long, value_name = "QUANTITY = VALUE", allow_hyphen_values = true)]
+    pub section: String,
+    /// rising, falling or either
+    #[arg(long, value_name = "DIRECTION")]
+    pub direction: Option<String>,
+    /// Quantity across the picture
+    #[arg(long, value_name = "NAME")]
+    pub x: Option<String>,
+    /// Quantity up the picture
+    #[arg(long, value_name = "NAME")]
+    pub y: Option<String>,
 }
 
 /// A measurement.

@@ -37,7 +37,10 @@ impl Failure {
 
 impl From<precess::Error> for Failure {
     fn from(error: precess::Error) -> Self {
-        Self::Wrong(error.to_string())
+        match error {
+            precess::Error::Failed(sentence) => Self::Failed(sentence),
+            wrong => Self::Wrong(wrong.to_string()),
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Precess in the terminal: a thin face over the `precess` crate.
 
+mod analyse;
 mod args;
 mod bench;
 mod compare;
@@ -27,6 +28,8 @@ fn main() -> ExitCode {
         Verb::Show { system, json, latex } => show::show(&system, json, latex),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
+        Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
+        Verb::Poincare(arguments) => analyse::poincare(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

@@ -22,8 +22,12 @@ pub fn csv(out: &mut impl Write, trajectory: &Trajectory) -> io::Result<()> {
 
 /// NPZ: one array a column, and the texts `units` (in the order of the columns), `scenario` and `version`.
 pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
+    arrays(out, &outcome.trajectory, &outcome.provenance.scenario)
+}
+
+/// The same of any table with the scenario that it comes from.
+pub fn arrays(out: &mut (impl Write + Seek), trajectory: &Trajectory, scenario: &str) -> io::Result<()> {
     let mut archive = npyz::npz::NpzWriter::new(out);
-    let trajectory = &outcome.trajectory;
     for (k, column) in trajectory.columns.iter().enumerate() {
         let mut array = archive
             .array(&column.name, FileOptions::default())?
@@ -36,8 +40,8 @@ pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
     let units: Vec<&str> = trajectory.columns.iter().map(|c| c.unit.as_str()).collect();
     for (name, text) in [
         ("units", units.join("\n")),
-        ("scenario", outcome.provenance.scenario.clone()),
-        ("version", outcome.provenance.version.clone()),
+        ("scenario", scenario.to_string()),
+        ("version", env!("CARGO_PKG_VERSION").to_string()),
     ] {
         let bytes = text.as_bytes();
         let mut array = archive

@@ -410,3 +410,59 @@ fn bench_measures_the_lanes_that_the_environment_names() {
     assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
     assert!(err(&refused).contains("it has scalar"), "{}", err(&refused));
 }
+
+/// Rows of numbers under a header.
+fn rows(csv: &str) -> Vec<Vec<f64>> {
+    csv.lines().skip(1).map(|l| l.split(',').map(|x| x.parse().expect("a number")).collect()).collect()
+}
+
+#[test]
+fn a_section_is_a_table_of_times_and_states() {
+    // x = cos t rises through zero at 3 pi / 2 and every turn later, with velocity 1.
+    let arguments = ["poincare", "harmonic_oscillator", "--section", "x = 0", "--direction", "rising"];
+    let found = precess(&[&arguments[..], &["--until", "20", "--rtol", "1e-12", "--atol", "1e-12"]].concat());
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(csv.starts_with("t,x,x_dot\n"), "{csv}");
+    let rows = rows(&csv);
+    assert_eq!(rows.len(), 3);
+    for (k, row) in rows.iter().enumerate() {
+        let t = std::f64::consts::TAU * (k as f64 + 0.75);
+        assert!((row[0] - t).abs() < 1e-9 && row[1].abs() < 1e-9 && (row[2] - 1.0).abs() < 1e-9, "{row:?}");
+    }
+}
+
+#[test]
+fn a_spectrum_is_a_table_of_exponents_and_errors() {
+    let folder = Folder::new("spectrum");
+    let (npz, svg) = (folder.file("a.npz"), folder.file("a.svg"));
+    let found = precess(&["lyapunov", "planar_oscillator", "-p", "r=0.3", "--until", "200", "-o", "-"]);
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(csv.starts_with("index,exponent,error\n1,"), "{csv}");
+    let rows = rows(&csv);
+    // Both directions are damped oscillators with exponents -r / 2.
+    assert_eq!(rows.len(), 4);
+    assert!((rows.iter().map(|r| r[1]).sum::<f64>() + 0.6).abs() < 1e-9, "{rows:?}");
+    assert!(rows.iter().all(|r| (r[1] + 0.15).abs() < 0.01 && r[2] > 0.0 && r[2] < 0.05), "{rows:?}");
+    let quiet = precess(&["lyapunov", "pendulum", "--quiet", "--until", "20", "-o", &npz, "--plot", &svg]);
+    assert!(quiet.status.success() && out(&quiet).is_empty() && err(&quiet).is_empty());
+    assert_eq!(folder.names(), ["a.npz", "a.svg"]);
+}
+
+#[test]
+fn a_wrong_question_is_answered_with_a_sentence() {
+    let cases: [(&[&str], &str); 6] = [
+        (&["lyapunov", "noria"], "events"),
+        (&["lyapunov", "pendulum", "--until", "-1"], "above zero"),
+        (&["poincare", "pendulum", "--section", "thta = 0"], "theta"),
+        (&["poincare", "pendulum", "--section", "theta"], "theta = 0"),
+        (&["poincare", "pendulum", "--section", "theta = 0 mod 0"], "above zero"),
+        (&["poincare", "pendulum", "--section", "t = 0 mod period"], "drive"),
+    ];
+    for (arguments, word) in cases {
+        let wrong = precess(arguments);
+        assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
+        assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+    }
+}

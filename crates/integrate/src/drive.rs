@@ -77,7 +77,7 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
         Pace::Adaptive(tolerance) => within(tolerance.rtol) && within(tolerance.atol),
     };
     match () {
-        () if run.start.len() != run.field.shape().full() => {
+        () if run.start.len() != run.field.shape().size() => {
             Some("the start is no full state of this system")
         }
         () if run.directions.len() != run.field.shape().events => {

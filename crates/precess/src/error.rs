@@ -9,6 +9,8 @@ pub enum Error {
     Input(String),
     /// A file could not be read or written.
     File(String),
+    /// The work was begun and could not be ended: what happened, when, what to try.
+    Failed(String),
 }
 
 impl Error {
@@ -18,13 +20,14 @@ impl Error {
         match self {
             Self::Input(sentence) => Self::Input(format!("{place}: {sentence}")),
             Self::File(sentence) => Self::File(format!("{place}: {sentence}")),
+            Self::Failed(sentence) => Self::Failed(format!("{place}: {sentence}")),
         }
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (Self::Input(sentence) | Self::File(sentence)) = self;
+        let (Self::Input(sentence) | Self::File(sentence) | Self::Failed(sentence)) = self;
         f.write_str(sentence)
     }
 }

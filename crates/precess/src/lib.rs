@@ -4,6 +4,8 @@
 //! an [`Outcome`] with a trajectory, its provenance and the drift of its invariants; [`picture`] turns that
 //! into a [`figure::Figure`].
 
+#[cfg(feature = "analyses")]
+pub mod analyses;
 mod canonical;
 pub mod catalogue;
 mod compare;

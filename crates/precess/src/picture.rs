@@ -20,7 +20,8 @@ pub fn picture(plan: &Plan, trajectory: &Trajectory) -> Figure {
     Figure { title: plan.title.clone(), subtitle: subtitle(plan), panels, scenario: scenario_toml(plan) }
 }
 
-fn subtitle(plan: &Plan) -> String {
+/// Method and steps.
+pub(crate) fn subtitle(plan: &Plan) -> String {
     let method = plan.method.card().id;
     match plan.step {
         Step::Fixed(dt) => format!("{method}, dt = {dt} s"),
@@ -29,7 +30,7 @@ fn subtitle(plan: &Plan) -> String {
 }
 
 /// Name and unit of an axis: `theta [rad]`.
-fn axis(quantity: &Quantity) -> String {
+pub(crate) fn axis(quantity: &Quantity) -> String {
     let name = readable(&quantity.name);
     if quantity.unit.is_empty() { name } else { format!("{name} [{}]", quantity.unit) }
 }

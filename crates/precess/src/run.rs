@@ -130,7 +130,8 @@ pub(crate) fn pace(plan: &Plan) -> Pace {
     }
 }
 
-fn columns(plan: &Plan) -> Vec<Column> {
+/// The columns of the result.
+pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
     let state = plan.layout.shape().state();
     let kind = |k: usize| match k {
         0 => ColumnKind::Time,
@@ -142,23 +143,30 @@ fn columns(plan: &Plan) -> Vec<Column> {
     quantities.map(|(k, q)| Column { name: q.name, unit: q.unit, kind: kind(k) }).collect()
 }
 
+/// A column of the result as a function of time and full state.
+pub(crate) fn quantity<'a>(
+    plan: &'a Plan,
+    field: &'a dyn Field<f64>,
+    column: usize,
+) -> impl Fn(f64, &[f64]) -> f64 + 'a {
+    let state = plan.layout.shape().state();
+    let observed = RefCell::new(vec![0.0; plan.layout.observables.len()]);
+    move |t: f64, y: &[f64]| match column {
+        0 => t,
+        k if k <= state => y[k - 1],
+        k => {
+            let mut observed = observed.borrow_mut();
+            field.observe(t, y, &mut observed);
+            observed[k - state - 1]
+        }
+    }
+}
+
 /// The watched quantities as functions of the state.
 fn watched<'a>(plan: &'a Plan, field: &'a dyn Field<f64>) -> Vec<Watched<'a>> {
-    let state = plan.layout.shape().state();
     let watch = |watch: &'a crate::plan::Watch| {
-        let observed = RefCell::new(vec![0.0; plan.layout.observables.len()]);
-        let function = move |t: f64, y: &[f64]| {
-            let quantity = match watch.column {
-                0 => t,
-                k if k <= state => y[k - 1],
-                k => {
-                    let mut observed = observed.borrow_mut();
-                    field.observe(t, y, &mut observed);
-                    observed[k - state - 1]
-                }
-            };
-            quantity - watch.value
-        };
+        let quantity = quantity(plan, field, watch.column);
+        let function = move |t: f64, y: &[f64]| quantity(t, y) - watch.value;
         Watched { function: Box::new(function), direction: watch.direction, stop: watch.stop }
     };
     plan.watches.iter().map(watch).collect()

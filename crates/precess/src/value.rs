@@ -61,7 +61,7 @@ pub fn parse(text: &str) -> Result<Value, Error> {
     });
     value.map_err(|e| match e {
         Error::Input(why) => Error::Input(format!("{} is no value: {why}", quoted(text))),
-        Error::File(why) => Error::File(why),
+        other => other,
     })
 }
 

@@ -1,16 +1,20 @@
-//! Imports point one way: scalar <- system <- {models, integrate} <- precess <- bench <- faces; the lab's server stands
-//! apart.
+//! Imports point one way: scalar <- system <- {models, integrate} <- analysis <- precess <- bench <- faces; the lab's
+//! server stands apart.
 
 use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Each crate of ours and those of ours that it may depend on.
-const EDGES: [(&str, &[&str]); 9] = [
+const EDGES: [(&str, &[&str]); 10] = [
     ("precess-scalar", &[]),
     ("precess-system", &["precess-scalar"]),
     ("precess-models", &["precess-scalar", "precess-system"]),
     ("precess-integrate", &["precess-scalar", "precess-system"]),
-    ("precess", &["precess-scalar", "precess-system", "precess-models", "precess-integrate"]),
+    ("precess-analysis", &["precess-scalar", "precess-system", "precess-integrate"]),
+    (
+        "precess",
+        &["precess-scalar", "precess-system", "precess-models", "precess-integrate", "precess-analysis"],
+    ),
     ("precess-bench", &["precess"]),
     ("precess-lab", &[]),
     ("precess-cli", &["precess", "precess-bench", "precess-lab"]),
@@ -32,6 +36,7 @@ fn dependencies(package: &str) -> Vec<String> {
             "none",
             "--edges",
             "normal,build,dev",
+            "--all-features",
         ])
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()

@@ -1,9 +1,11 @@
 //! The seam where a system's type is forgotten and the number's is kept.
 
 use crate::{Card, Given, Layout, Shape, State, System, Values};
+#[cfg(feature = "tangents")]
+use precess_scalar::Dual;
 use precess_scalar::{Dependence, Kernel, Narrow, Scalar, Traced, Wide, Widest};
 #[cfg(feature = "laws")]
-use precess_scalar::{DoubleDouble, Dual, Unit};
+use precess_scalar::{DoubleDouble, Unit};
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -171,20 +173,26 @@ impl<M: System, S: Scalar> Rates<S> for M {
 /// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
 /// more, which a browser would have to load.
 #[cfg(feature = "laws")]
-pub trait LawNumbers:
-    Bind<Dual<f64>> + Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> + Bind<Traced>
-{
-}
+pub trait LawNumbers: Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> + Bind<Traced> {}
 /// The numbers of the laws, without the feature `laws`: none.
 #[cfg(not(feature = "laws"))]
 pub trait LawNumbers {}
 impl<M: System> LawNumbers for M {}
+
+/// The number of the analyses: a state with a direction in which it moves. A face that offers none leaves it out.
+#[cfg(feature = "tangents")]
+pub trait TangentNumbers: Bind<Dual<f64>> {}
+/// The number of the analyses, without the feature `tangents`: none.
+#[cfg(not(feature = "tangents"))]
+pub trait TangentNumbers {}
+impl<M: System> TangentNumbers for M {}
 
 /// A system whose type is forgotten: it makes fields over every kind of number.
 pub trait AnySystem:
     Send
     + Sync
     + LawNumbers
+    + TangentNumbers
     + Bind<f64>
     + Bind<Narrow>
     + Bind<Wide>
@@ -201,11 +209,17 @@ pub trait AnySystem:
     /// # Errors
     /// One sentence, where the starts or the parameters make no sense together.
     fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String>;
+    /// See [`System::period`].
+    fn period(&self, values: &Values<f64>) -> Option<f64>;
 }
 
 impl<M: System> AnySystem for M {
     fn card(&self) -> Card {
         System::card(self)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        System::period(self, values)
     }
 
     fn layout(&self, values: &Values<f64>, given: &Given) -> Layout {

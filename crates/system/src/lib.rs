@@ -16,7 +16,7 @@ mod units;
 mod values;
 
 pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
-pub use field::{AnySystem, Bind, Field, LawNumbers, Rates};
+pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
 pub use state::State;

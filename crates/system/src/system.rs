@@ -41,6 +41,11 @@ pub trait System: Clone + Send + Sync + 'static {
     /// The modes at the start, from the rest of the state.
     fn start_modes(&self, _s: &State<f64>, _modes: &mut [f64]) {}
 
+    /// The period of the equations in time, where time enters and they have one.
+    fn period(&self, _values: &Values<f64>) -> Option<f64> {
+        None
+    }
+
     /// Coordinates and observables, where they depend on the parameters (the length of a list) or on the
     /// names that the user mentions.
     fn layout(&self, _values: &Values<f64>, _given: &Given) -> Layout {

@@ -189,8 +189,8 @@ impl<S: Scalar + Send> Stepper<S> for Collocation<S> {
         }
     }
     fn restart(&mut self) {
-        if let Some(carry) = &mut self.carry {
-            carry.iter_mut().for_each(|carry| carry.fill(S::from(0.0)));
+        for carry in self.carry.iter_mut().flatten() {
+            carry.fill(S::from(0.0));
         }
     }
     fn evaluations(&self) -> u64 {

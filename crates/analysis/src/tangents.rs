@@ -1,0 +1,82 @@
+//! Tangent vectors: how neighbours of a trajectory move away from it, to first order and exactly.
+//!
+//!     y' = f(t, y)        v' = Df(t, y) v
+//!
+//! The derivative along v is the slope of f at the dual number y + v e. A state and its tangent vectors are rows of
+//! one larger state (see [`Shape`]), so every method integrates them as they are.
+
+use precess_scalar::Dual;
+use precess_system::{Field, Shape};
+use std::sync::Mutex;
+
+/// A field with tangent vectors in the rows behind the state.
+pub(crate) struct Tangents<'a> {
+    field: &'a dyn Field<Dual<f64>>,
+    shape: Shape,
+    /// The integration's zero of time.
+    from: f64,
+    /// A dual state and its rate.
+    scratch: Mutex<[Vec<Dual<f64>>; 2]>,
+}
+
+impl<'a> Tangents<'a> {
+    /// With so many tangent vectors; `from` is the time at which the integration begins.
+    pub fn new(field: &'a dyn Field<Dual<f64>>, vectors: usize, from: f64) -> Self {
+        let mut shape = field.shape().with_rows(1 + vectors);
+        (shape.observables, shape.events) = (0, 0);
+        let blank = vec![Dual::constant(0.0); shape.full()];
+        Self { field, shape, from, scratch: Mutex::new([blank.clone(), blank]) }
+    }
+
+    /// State and tangent vectors as one full state; a tangent vector has no share in the modes.
+    pub fn join(&self, state: &[f64], vectors: &[Vec<f64>]) -> Vec<f64> {
+        let mut joined = vec![0.0; self.shape.size()];
+        for (row, numbers) in std::iter::once(state).chain(vectors.iter().map(Vec::as_slice)).enumerate() {
+            for (j, x) in numbers.iter().enumerate() {
+                joined[self.shape.place(row, j)] = *x;
+            }
+        }
+        joined
+    }
+
+    /// And back.
+    pub fn part(&self, joined: &[f64], state: &mut [f64], vectors: &mut [Vec<f64>]) {
+        let rows = std::iter::once(state).chain(vectors.iter_mut().map(Vec::as_mut_slice));
+        for (row, numbers) in rows.enumerate() {
+            for (j, x) in numbers.iter_mut().enumerate() {
+                *x = joined[self.shape.place(row, j)];
+            }
+        }
+    }
+}
+
+impl Field<f64> for Tangents<'_> {
+    fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    fn rate(&self, t: f64, y: &[f64], dy: &mut [f64]) {
+        let shape = &self.shape;
+        // A lock that a panic has poisoned still holds numbers, and all of them are written before they are read.
+        let mut scratch = self.scratch.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        let [state, rate] = &mut *scratch;
+        let t = Dual::constant(t + self.from);
+        for row in 1..shape.rows {
+            for (j, number) in state.iter_mut().enumerate() {
+                *number = Dual::new(y[shape.place(0, j)], y[shape.place(row, j)]);
+            }
+            self.field.rate(t, state, rate);
+            for (j, number) in rate.iter().enumerate() {
+                dy[shape.place(row, j)] = number.slope;
+                dy[shape.place(0, j)] = number.value;
+            }
+        }
+    }
+
+    fn observe(&self, _: f64, _: &[f64], _: &mut [f64]) {}
+    fn lagrangian(&self, _: f64, _: &[f64]) -> Option<f64> {
+        None
+    }
+    fn crossings(&self, _: f64, _: &[f64], _: &mut [f64]) {}
+    fn jump(&self, _: usize, _: f64, _: &mut [f64]) {}
+}

@@ -1,0 +1,83 @@
+//! The analyses: `precess lyapunov`, `precess poincare`.
+
+use crate::args::{Analysis, Poincare};
+use crate::failure::Failure;
+use crate::output::{Output, suffix};
+use crate::progress::{Progress, listen};
+use crate::run::{finish_plot, open_plot, unknown_suffix};
+use crate::subject::{assignment, scenario};
+use crate::table;
+use precess::analyses::{self, Answer, PoincareSpec};
+use precess::{Error, Scenario};
+use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
+use std::path::Path;
+
+/// The Lyapunov spectrum.
+pub fn lyapunov(arguments: &Analysis) -> Result<(), Failure> {
+    analyse(arguments, &mut |scenario, progress| analyses::lyapunov(scenario, progress))
+}
+
+/// A Poincaré section.
+pub fn poincare(arguments: &Poincare) -> Result<(), Failure> {
+    let spec = PoincareSpec {
+        section: arguments.section.clone(),
+        direction: arguments.direction.clone(),
+        x: arguments.x.clone(),
+        y: arguments.y.clone(),
+    };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::poincare(scenario, &spec, progress))
+}
+
+type Ask<'a> = &'a mut dyn FnMut(&Scenario, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Answer, Error>;
+
+/// Asks, and puts the answer where it is wanted: a table to standard output where nothing else was asked for.
+fn analyse(arguments: &Analysis, ask: Ask) -> Result<(), Failure> {
+    let subject = &arguments.subject;
+    let mut scenario = scenario(subject, arguments.method.as_deref())?;
+    for given in &arguments.options {
+        let (name, value) = assignment(given)?;
+        Scenario::set(&mut scenario.run, name, value);
+    }
+    let mut file = None;
+    let mut to_standard_output = subject.output.is_none() && subject.plot.is_none();
+    match subject.output.as_deref() {
+        None => {}
+        Some(path) if path == Path::new("-") => to_standard_output = true,
+        Some(path) if ["csv", "npz"].contains(&suffix(path).as_str()) => {
+            file = Some((Output::create(path)?, suffix(path)));
+        }
+        Some(path) => return Err(unknown_suffix(path, "csv or npz")),
+    }
+    let plot = subject.plot.as_deref().map(open_plot).transpose()?;
+
+    let mut progress = Progress::new(1.0, subject.quiet, &listen());
+    let answer = ask(&scenario, &mut |share| progress.at(share));
+    progress.finish();
+    let answer = answer?;
+
+    if to_standard_output {
+        let mut out = BufWriter::new(io::stdout().lock());
+        let written = table::csv(&mut out, &answer.table).and_then(|()| out.flush());
+        written.map_err(|e| Failure::of_writing("standard output", &e))?;
+    }
+    match file {
+        Some((output, suffix)) if suffix == "npz" => {
+            output.finish(|file| table::arrays(file, &answer.table, &answer.figure.scenario))?;
+        }
+        Some((output, _)) => output.finish(|file| table::csv(file, &answer.table))?,
+        None => {}
+    }
+    if let Some(plot) = plot {
+        finish_plot(&answer.figure, plot)?;
+    }
+    if !subject.quiet {
+        for line in &answer.summary {
+            let _ = writeln!(io::stderr(), "  {line}");
+        }
+    }
+    match answer.failure {
+        Some(why) => Err(Failure::Failed(format!("{why}; what was found up to then is kept"))),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,79 @@
+//! A plan as the analyses need it: bound to plain and to dual numbers.
+
+use crate::error::{Error, input};
+use crate::plan::Plan;
+use crate::run::pace;
+use precess_analysis::Flow;
+use precess_scalar::Dual;
+use precess_system::{Bind, Direction, Field};
+use std::cell::RefCell;
+use std::ops::ControlFlow;
+
+/// A plan's system, bound.
+pub(crate) struct Subject<'a> {
+    pub plan: &'a Plan,
+    pub field: Box<dyn Field<f64>>,
+    pub tangents: Box<dyn Field<Dual<f64>>>,
+    pub directions: Vec<Direction>,
+}
+
+impl<'a> Subject<'a> {
+    pub fn new(plan: &'a Plan) -> Self {
+        let (system, layout) = (plan.system, &plan.layout);
+        Self {
+            plan,
+            field: Bind::<f64>::bind(system, plan.values.clone(), layout),
+            tangents: Bind::<Dual<f64>>::bind(system, plan.values.map(|&x| Dual::from(x)), layout),
+            directions: layout.events.iter().map(|e| e.direction).collect(),
+        }
+    }
+
+    /// How it moves; `progress` is told the time now and then.
+    pub fn flow<'b>(&'b self, progress: &'b mut dyn FnMut(f64) -> ControlFlow<()>) -> Flow<'b> {
+        Flow {
+            field: self.field.as_ref(),
+            tangents: self.tangents.as_ref(),
+            directions: &self.directions,
+            method: self.plan.method,
+            options: self.plan.options,
+            pace: pace(self.plan),
+            progress: RefCell::new(progress),
+        }
+    }
+}
+
+/// Refuses what tangent vectors cannot follow.
+pub(crate) fn smooth(plan: &Plan, what: &str) -> Result<(), Error> {
+    if plan.structure.hybrid {
+        let id = plan.card.id;
+        return input(format!("{what} needs a motion without jumps, and {id} has events"));
+    }
+    Ok(())
+}
+
+/// The analyses follow a motion forwards.
+pub(crate) fn forwards(plan: &Plan) -> Result<(), Error> {
+    if plan.until > 0.0 {
+        return Ok(());
+    }
+    input(format!("the end must be above zero here, not {}", plan.until))
+}
+
+/// The period of the equations in time.
+pub(crate) fn period(plan: &Plan, what: &str) -> Result<f64, Error> {
+    let found = plan.system.period(&plan.values).filter(|p| p.is_finite() && *p > 0.0);
+    found.map_or_else(
+        || {
+            input(format!(
+                "{what} needs a periodic drive, and {} has none with these parameters",
+                plan.card.id
+            ))
+        },
+        Ok,
+    )
+}
+
+/// A sentence for a failure, with the advice that is its own.
+pub(crate) fn failed<T>(failure: &precess_integrate::Failure) -> Result<T, Error> {
+    Err(Error::Failed(failure.to_string()))
+}
