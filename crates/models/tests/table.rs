@@ -126,7 +126,9 @@ fn a_billiard_ball_rolls_after_two_sevenths() {
 fn bodies_that_make_no_sense_are_refused() {
     let refusal = |id: &str, set: &[(&str, f64)], start: &[(&str, f64)]| {
         let mut body = ready(id);
-        set.iter().for_each(|(name, value)| body.set(name, *value));
+        for (name, value) in set {
+            body.set(name, *value);
+        }
         body.start(start).expect_err("this makes no sense")
     };
     assert!(refusal("rolling_body", &[("i33", 9.0)], &[]).contains("inertia"));

@@ -127,7 +127,7 @@ impl Top {
     }
 
     #[inline(always)]
-    fn observe<S: Scalar>(&self, seen: &Seen<S>, place: [S; 2], found: &Found<S>, out: &mut [S]) {
+    fn observe<S: Scalar>(seen: &Seen<S>, place: [S; 2], found: &Found<S>, out: &mut [S]) {
         let Seen { body, rows, omega, touch, ground, .. } = seen;
         let r = touch.r;
         let momentum = body.inertia.times(*omega);
@@ -265,7 +265,7 @@ impl System for Roller {
             denominator: S::from(1.0) / seen.body.mass + dot(arm, seen.body.inertia.inverse().times(arm)),
             power: zero,
         };
-        self.0.observe(&seen, [s.coordinates[7], s.coordinates[8]], &found, out);
+        Top::observe(&seen, [s.coordinates[7], s.coordinates[8]], &found, out);
     }
 
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {
@@ -320,7 +320,7 @@ impl System for Slider {
             denominator: moving.denominator,
             power: force[0] * slip[0] + force[1] * slip[1] + moving.normal * grip.drill * spin + loss,
         };
-        self.0.observe(&seen, [s.coordinates[7], s.coordinates[8]], &found, out);
+        Top::observe(&seen, [s.coordinates[7], s.coordinates[8]], &found, out);
     }
 
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {

@@ -1,6 +1,6 @@
 //! A body that keeps to the table and slips: the normal force from the constraint.
 //!
-//! With e_x, e_y, gamma the table's axes in body axes, u = v + omega x r the slip, c = r x gamma, and a contact that acts
+//! With `e_x`, `e_y`, gamma the table's axes in body axes, u = v + omega x r the slip, c = r x gamma, and a contact that acts
 //! with the force N (gamma + k) and the moment N d gamma (k and d from the law of friction):
 //!
 //!     z' = -c.omega                                                       (the contact point stays on the table)
@@ -9,7 +9,7 @@
 //!     I omega' = N (c + r x k + d gamma) - omega x I omega + T,     m x'' = N k_x + m G_x,     m y'' = N k_y
 //!
 //! Where N reaches zero the body lifts off; where the denominator does, no finite force keeps it from the table
-//! (Painleve 1895). Both are events.
+//! (Painleve 1895). Neither is looked for yet: the table keeps the body, and `normal` and `painleve` show it.
 
 use super::body::{Body, Touch, minus, plus, scaled};
 use super::friction::Grip;
