@@ -138,5 +138,10 @@ fn figure(system: &str, comparison: &Comparison) -> Figure {
 fn curve(contender: &Contender, name: &str) -> Option<Curve> {
     let trajectory = &contender.outcome.trajectory;
     let values = trajectory.column(name)?;
-    Some(Curve { label: contender.method.clone(), x: trajectory.column("t")?, y: departures(&values) })
+    Some(Curve {
+        label: contender.method.clone(),
+        x: trajectory.column("t")?,
+        y: departures(&values),
+        ..Curve::default()
+    })
 }

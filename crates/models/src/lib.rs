@@ -2,6 +2,7 @@
 
 mod attitude;
 mod gravity;
+mod inertia;
 mod oscillators;
 mod pendulums;
 mod rotation;
@@ -44,6 +45,9 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
     &tops::gyroscope::Gyroscope,
+    &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::symmetric_body::SymmetricBody,
+    &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
     &tops::free_body::FreeBody,
     &table::rolling_body::ROLLING_BODY,

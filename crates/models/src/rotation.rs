@@ -88,10 +88,20 @@ pub(crate) fn euler<S: Scalar>([w, x, y, z]: Quaternion<S>, omega: Vector<S>) ->
     ]
 }
 
+/// `v` in axes whose third is the unit vector `normal` (from above; or its opposite, from below, where it points down):
+/// turned by the shortest way, so that it is steady where the normal is.
+#[inline(always)]
+pub(crate) fn invariable_plane<S: Scalar>(normal: Vector<S>, v: Vector<S>) -> Vector<S> {
+    let (zero, one) = (S::from(0.0), S::from(1.0));
+    let side = S::select(normal[2].lt(zero), -one, one);
+    let along = dot(normal, v);
+    let share = (along + side * v[2]) / (side * normal[2] + 1.0);
+    [v[0] - normal[0] * share, v[1] - normal[1] * share, along]
+}
+
 /// `a / b` for `b >= 0`, and zero where `b` is.
 #[inline(always)]
-fn quotient<S: Scalar>(a: S, b: S) -> S {
-    let (zero, one) = (S::from(0.0), S::from(1.0));
-    let nothing = b.le(zero);
-    S::select(nothing, zero, a / S::select(nothing, one, b))
+pub(crate) fn quotient<S: Scalar>(a: S, b: S) -> S {
+    let zero = S::from(0.0);
+    S::select(b.le(zero), zero, a / b)
 }

@@ -160,17 +160,109 @@ fn the_centre_of_the_tippe_top_follows_its_rotation() {
     close(rate[4], expected[1], 1e-15);
 }
 
+/// On the vertical the limit holds: psi'' = 0 with `psi' = i3 omega3 / (2 I_A1)`, minus that at pi. Close to it the numerator of
+/// (2) is then as small as sin theta, so the acceleration stays small; without the limit it is large.
 #[test]
-fn a_start_on_the_vertical_is_refused() {
-    for id in ["gyroscope", "tippe_top_rolling"] {
+fn a_start_on_the_vertical_takes_the_limit() {
+    for id in ["gyroscope", "gyroscope_rolling", "symmetric_body", "tippe_top_rolling"] {
         let top = ready(id);
+        let first = top.layout.coordinates.len();
         for theta in [0.0, PI, -PI] {
-            let refusal = top.start(&[("theta", theta)]).expect_err("the axis is vertical");
-            assert!(refusal.contains("heavy_top"), "{refusal}");
+            let up = Scalar::cos(theta).sign();
+            let names = [("theta", theta), ("theta_dot", 2.0), ("psi_dot", 7.0), ("phi_dot", 60.0)];
+            let mut y = top.start(&names).expect("the limit");
+            close(y[first] * up + y[first + 2], 7.0 * up + 60.0, 1e-15);
+            assert!(top.rate(&y).iter().all(|x| x.is_finite()), "{id}");
+            assert_eq!(top.rate(&y)[first], 0.0, "{id}");
+            y[1] += 1e-6;
+            let near = top.rate(&y)[first].abs();
+            y[first] += 1.0;
+            let off = top.rate(&y)[first].abs();
+            assert!(near < 1e-3 && off > 1e5, "{id} at {theta}: {near:e}, and without the limit {off:e}");
         }
-        let rate = top.rate(&top.start(&[("theta", 1e-6)]).expect("close to it is fine"));
-        assert!(rate.iter().all(|x| x.is_finite()));
+        let asleep = top.start(&[("theta", 0.0), ("phi_dot", 60.0)]).expect("a sleeping top");
+        assert!(top.rate(&asleep)[first..].iter().all(|x| x.abs() < 1e-300), "{id} sleeps");
     }
+}
+
+/// Euler angles and their rates of one top, the accelerations of the other.
+#[test]
+fn the_gyroscope_is_the_same_by_the_general_method_and_in_quaternions() {
+    let (top, rolling, heavy) = (ready("gyroscope"), ready("gyroscope_rolling"), ready("heavy_top"));
+    for k in 0..100 {
+        let x = f64::from(k);
+        let theta = 0.05 + 3.0 * Scalar::sin(x * 0.37).abs();
+        let [psi_dot, theta_dot, phi_dot] = [1.1, 1.7, 2.3].map(|f| 30.0 * Scalar::sin(x * f + f));
+        let names = [
+            ("psi", 0.3 * x),
+            ("theta", theta),
+            ("psi_dot", psi_dot),
+            ("theta_dot", theta_dot),
+            ("phi_dot", phi_dot),
+        ];
+        let y = top.start(&names).expect("a sound start");
+        let (rate, other) = (top.rate(&y), rolling.rate(&y));
+        let size = 1.0 + rate.iter().fold(0.0, |sum, x| x.abs() + sum);
+        for (a, b) in rate.iter().zip(&other) {
+            assert!((a - b).abs() <= 1e-13 * size, "{rate:?} is not {other:?}");
+        }
+        // omega' in body axes, which at phi = 0 are (u, b, a) but turn with phi'.
+        let q = heavy.start(&names).expect("a sound start");
+        let turning = heavy.rate(&q);
+        let (sin, cos) = Scalar::sin_cos(theta);
+        let omega = [theta_dot, psi_dot * sin, psi_dot * cos + phi_dot];
+        let expected = [
+            rate[4] + phi_dot * omega[1],
+            rate[3] * sin + psi_dot * theta_dot * cos - phi_dot * omega[0],
+            rate[5] + rate[3] * cos - psi_dot * theta_dot * sin,
+        ];
+        for (a, b) in turning[4..].iter().zip(expected) {
+            assert!((a - b).abs() <= 1e-13 * size, "{turning:?} is not {expected:?}");
+        }
+        for name in ["energy", "L_Az", "L_A3", "L_A", "axis_x", "axis_y", "axis_z"] {
+            let (a, b) = (top.observe(&y, name), heavy.observe(&q, name));
+            assert!((a - b).abs() <= 1e-14 * (1.0 + a.abs()), "{name}: {a} is not {b}");
+        }
+    }
+}
+
+/// The derivative along the flow by a central difference of the rate's direction: small steps of the state.
+fn slope(top: &Ready, y: &[f64], name: &str) -> f64 {
+    let (h, rate) = (1e-5, top.rate(y));
+    let at = |s: f64| {
+        let moved: Vec<f64> = y.iter().zip(&rate).map(|(y, r)| y + s * h * r).collect();
+        top.observe(&moved, name)
+    };
+    (at(1.0) - at(-1.0)) / (2.0 * h)
+}
+
+#[test]
+fn the_constants_of_the_classical_tops() {
+    let mut top = ready("heavy_top");
+    for (name, x) in [("m", 1.0), ("g", 2.0), ("i1", 2.0), ("i2", 2.0), ("i3", 1.0)] {
+        top.set(name, x);
+    }
+    top.values.lists[0].items = vec![0.6, 0.4, 0.0];
+    let names =
+        [("psi", 0.3), ("theta", 1.1), ("phi", 0.8), ("psi_dot", 0.9), ("theta_dot", -0.7), ("phi_dot", 1.3)];
+    let y = top.start(&names).expect("a start");
+    assert!(slope(&top, &y, "kovalevskaya").abs() < 1e-8, "Kovalevskaya");
+    // It is hers alone.
+    top.set("i3", 1.1);
+    assert!(slope(&top, &y, "kovalevskaya").abs() > 1e-2);
+    for (name, x) in [("i1", 4.0), ("i2", 4.0), ("i3", 1.0)] {
+        top.set(name, x);
+    }
+    top.values.lists[0].items = vec![0.6, 0.0, 0.0];
+    // L_Az = 0: psi' is chosen so.
+    let mut y = top.start(&names).expect("a start");
+    let gamma = [1, 2, 3].map(|k| top.observe(&y, &format!("gamma{k}")));
+    let (a, b) = (4.0 * (y[4] * gamma[0] + y[5] * gamma[1]), y[6] * gamma[2]);
+    y[6] -= (a + b) / gamma[2];
+    assert!(top.observe(&y, "L_Az").abs() < 1e-14);
+    assert!(slope(&top, &y, "goryachev_chaplygin").abs() < 1e-8, "Goryachev and Chaplygin");
+    y[6] += 0.5;
+    assert!(slope(&top, &y, "goryachev_chaplygin").abs() > 1e-2);
 }
 
 #[test]

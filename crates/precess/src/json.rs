@@ -1,6 +1,6 @@
 //! Cards as JSON: all that a card says, under the card's own names.
 
-use crate::{catalogue, equations, scenarios};
+use crate::{Scenario, catalogue, equations, scenarios};
 use precess_integrate::{Kind, MethodCard, Needs};
 use precess_scalar::Notation;
 use precess_system::{
@@ -116,8 +116,18 @@ pub fn methods() -> Value {
     catalogue::methods().iter().map(|m| method(m.card())).collect()
 }
 
+/// A scenario that comes with the program: its file's name, its title, and what to notice.
+pub fn scenario(file: &str, text: &str) -> Value {
+    let Scenario { title, text: words, .. } = Scenario::parse(text).unwrap_or_default();
+    json!({
+        "file": file,
+        "title": title,
+        "title_fr": words.title_fr,
+        "note": { "en": words.note, "fr": words.note_fr },
+    })
+}
+
 /// Every scenario that comes with the program.
 pub fn all_scenarios() -> Value {
-    let entry = |(name, text): (&str, &str)| json!({ "file": name, "title": scenarios::title(text) });
-    scenarios::all().into_iter().map(entry).collect()
+    scenarios::all().into_iter().map(|(file, text)| scenario(file, text)).collect()
 }

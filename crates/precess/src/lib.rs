@@ -39,7 +39,7 @@ pub use members::{Keep, Members};
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
 pub use run::{Outcome, Provenance, run};
-pub use scenario::{EventSpec, FigureSpec, Scenario};
+pub use scenario::{EventSpec, FigureSpec, Scenario, Words};
 pub use workers::Workers;
 
 pub use precess_integrate as integrate;

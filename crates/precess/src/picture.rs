@@ -36,7 +36,7 @@ pub(crate) fn axis(quantity: &Quantity) -> String {
 }
 
 /// `theta1_dot` to `θ1′`.
-fn readable(name: &str) -> String {
+pub(crate) fn readable(name: &str) -> String {
     let (stem, prime) = name.strip_suffix("_dot").map_or((name, ""), |stem| (stem, "′"));
     let letters = stem.trim_end_matches(|c: char| c.is_ascii_digit());
     let greek = match letters {
@@ -52,7 +52,7 @@ fn readable(name: &str) -> String {
 fn curve(columns: &[Quantity], trajectory: &Trajectory, x: usize, y: usize, label: bool) -> Curve {
     let values = |k: usize| trajectory.rows().map(|row| row[k]).collect();
     let label = if label { readable(&columns[y].name) } else { String::new() };
-    Curve { label, x: values(x), y: values(y) }
+    Curve { label, x: values(x), y: values(y), ..Curve::default() }
 }
 
 fn scenario_panel(plan: &PanelPlan, columns: &[Quantity], trajectory: &Trajectory) -> Panel {
@@ -119,9 +119,7 @@ fn view_panel(columns: &[Quantity], trajectory: &Trajectory, view: &View) -> Pan
                 curves: known.iter().map(path).collect(),
                 marks: known
                     .iter()
-                    .filter_map(|&(x, y)| {
-                        start.map(|row| Mark { label: String::new(), x: row[x], y: row[y] })
-                    })
+                    .filter_map(|&(x, y)| start.map(|row| Mark { x: row[x], y: row[y], ..Mark::default() }))
                     .collect(),
                 ..Panel::default()
             }
@@ -155,7 +153,12 @@ fn drift_panel(trajectory: &Trajectory) -> Option<Panel> {
     let curves: Vec<Curve> = invariants
         .map(|(k, column)| {
             let values: Vec<f64> = trajectory.rows().map(|row| row[k]).collect();
-            Curve { label: readable(&column.name), x: times.clone(), y: departures(&values) }
+            Curve {
+                label: readable(&column.name),
+                x: times.clone(),
+                y: departures(&values),
+                ..Curve::default()
+            }
         })
         .collect();
     (!curves.is_empty()).then(|| Panel {

@@ -12,6 +12,8 @@ use toml::de::{DeTable, DeValue};
 pub struct Scenario {
     /// Heading; empty for the system's own.
     pub title: String,
+    /// What a reader should know of it; the run takes nothing from here.
+    pub text: Words,
     /// System id.
     pub system: String,
     /// Parameters that differ from the card's defaults.
@@ -26,6 +28,17 @@ pub struct Scenario {
     pub events: Vec<EventSpec>,
     /// Panels of the picture; the card's views where there are none.
     pub figures: Vec<FigureSpec>,
+}
+
+/// The heading in French, and what to notice, in both languages; each may be empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Words {
+    /// Heading.
+    pub title_fr: String,
+    /// What to notice.
+    pub note: String,
+    /// The same.
+    pub note_fr: String,
 }
 
 /// A watched crossing: `when = "theta = 0"`.
@@ -56,6 +69,11 @@ pub struct FigureSpec {
 
 /// The newest format that is understood.
 const FORMAT: &str = "1";
+
+/// What stands at the top of a file.
+const KEYS: [&str; 10] =
+    ["precess", "title", "title_fr", "note", "note_fr", "system", "start", "run", "event", "figure"];
+
 impl Scenario {
     /// A larger file is no scenario.
     pub const LARGEST: usize = 16 << 20;
@@ -85,14 +103,16 @@ impl Scenario {
             match key.get_ref().as_ref() {
                 "precess" => version = Some(integer(value).map_err(at)?),
                 "title" => scenario.title = word(value).map_err(at)?,
+                "title_fr" => scenario.text.title_fr = word(value).map_err(at)?,
+                "note" => scenario.text.note = word(value).map_err(at)?,
+                "note_fr" => scenario.text.note_fr = word(value).map_err(at)?,
                 "system" => scenario.read_system(text, as_table(value).map_err(at)?)?,
                 "start" => scenario.start = values(text, as_table(value).map_err(at)?)?,
                 "run" => scenario.read_run(text, as_table(value).map_err(at)?)?,
                 "event" => scenario.events = tables(value, EventSpec::read).map_err(at)?,
                 "figure" => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
                 other => {
-                    let known = ["precess", "title", "system", "start", "run", "event", "figure"];
-                    return Err(at(unknown("key", other, known)));
+                    return Err(at(unknown("key", other, KEYS)));
                 }
             }
         }

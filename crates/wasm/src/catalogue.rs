@@ -5,8 +5,11 @@ use serde_json::{Value, json};
 
 /// Systems with their equations, methods, scenarios.
 pub fn catalogue() -> Value {
-    let scenario =
-        |(file, text): (&str, &str)| json!({ "file": file, "title": scenarios::title(text), "text": text });
+    let scenario = |(file, text): (&str, &str)| {
+        let mut entry = json::scenario(file, text);
+        entry["text"] = text.into();
+        entry
+    };
     json!({
         "systems": json::systems(),
         "methods": json::methods(),

@@ -27,25 +27,26 @@ pub struct Axes {
 pub fn axes(panel: &Panel, wide: f64, high: f64) -> Axes {
     let found = bounds(panel);
     if panel.equal_scales && !panel.logarithmic {
-        return plane(found, wide, high);
+        return plane(panel, found, wide, high);
     }
     let [a, b, c, d] = found.unwrap_or([0.0, 1.0, if panel.logarithmic { 1.0 } else { 0.0 }, 1.0]);
-    let air = if runs_rightwards(panel) { 0.0 } else { 0.04 };
-    let (a, b) = airy(a, b, air);
+    let exact = panel.x_range.is_some() || runs_rightwards(panel) || panel.map.is_some();
+    let (a, b) = airy(a, b, if exact { 0.0 } else { 0.04 });
     let mut x = Axis::linear(a, b, wide / PITCH);
     x.spread(wide, |s| width(s, TICK));
     let y = if panel.logarithmic {
         Axis::decades(c, d, (high / 26.0).max(2.0))
     } else {
-        let (c, d) = airy(c, d, 0.07);
+        let exact = panel.y_range.is_some() || panel.map.is_some();
+        let (c, d) = airy(c, d, if exact { 0.0 } else { 0.07 });
         Axis::linear(c, d, high / (28.0 + high / 25.0))
     };
     Axes { x, y, filled: found.is_some() }
 }
 
 /// Equal scales: both ranges grow to the shape of the box, and the grid is of squares.
-fn plane(found: Option<[f64; 4]>, wide: f64, high: f64) -> Axes {
-    let [x, y] = extents(found);
+fn plane(panel: &Panel, found: Option<[f64; 4]>, wide: f64, high: f64) -> Axes {
+    let [x, y] = extents(panel, found);
     let [a, b, c, d] = equalised(x, y, wide, high);
     let mut x = Axis::linear(a, b, wide / PITCH_PLANE);
     x.spread(wide, |s| width(s, TICK));
@@ -57,10 +58,11 @@ fn plane(found: Option<[f64; 4]>, wide: f64, high: f64) -> Axes {
 }
 
 /// The ranges of a plane, with air; a line or a point gets a neighbourhood.
-fn extents(found: Option<[f64; 4]>) -> [(f64, f64); 2] {
+fn extents(panel: &Panel, found: Option<[f64; 4]>) -> [(f64, f64); 2] {
     let [a, b, c, d] = found.unwrap_or([-1.0, 1.0, -1.0, 1.0]).map(flushed);
     if b > a || d > c {
-        let air = 0.06 * (b - a).max(d - c);
+        let exact = panel.map.is_some() || panel.x_range.is_some() && panel.y_range.is_some();
+        let air = if exact { 0.0 } else { 0.06 * (b - a).max(d - c) };
         return [(a - air, b + air), (c - air, d + air)];
     }
     [airy(a, b, 0.0), airy(c, d, 0.0)]
@@ -68,7 +70,7 @@ fn extents(found: Option<[f64; 4]>) -> [(f64, f64); 2] {
 
 /// Height over width of the data of a plane, within what suits a page.
 pub fn shape(panel: &Panel) -> f64 {
-    let [x, y] = extents(bounds(panel));
+    let [x, y] = extents(panel, bounds(panel));
     let shape = (y.1 - y.0) / (x.1 - x.0);
     if shape.is_finite() { shape.clamp(0.5, 1.0) } else { 1.0 }
 }

@@ -3,16 +3,32 @@
 use precess::figure::Panel;
 
 use super::axis::LARGEST;
+use super::map;
 
-/// The smallest box around the points that can be drawn: `[x_lo, x_hi, y_lo, y_hi]`.
+/// The smallest box around the points that can be drawn, `[x_lo, x_hi, y_lo, y_hi]`; a range that the panel asks for
+/// takes the place of what its points need.
 pub fn bounds(panel: &Panel) -> Option<[f64; 4]> {
     let curves = panel.curves.iter().flat_map(|c| c.x.iter().copied().zip(c.y.iter().copied()));
     let marks = panel.marks.iter().map(|m| (m.x, m.y));
-    let shown = curves.chain(marks).filter(|&(x, y)| drawable(panel, x, y));
-    shown.fold(None, |seen, (x, y)| {
+    let corners = panel.map.iter().flat_map(|m| {
+        let [a, b, c, d] = map::extent(m);
+        [(a, c), (b, d)]
+    });
+    let within = |x: f64, range: Option<(f64, f64)>| range.is_none_or(|(low, high)| low <= x && x <= high);
+    let asked = |&(x, y): &(f64, f64)| within(x, panel.x_range) && within(y, panel.y_range);
+    let shown = curves.chain(marks).chain(corners).filter(|&(x, y)| drawable(panel, x, y)).filter(asked);
+    let found = shown.fold(None, |seen, (x, y)| {
         let [a, b, c, d] = seen.unwrap_or([x, x, y, y]);
         Some([a.min(x), b.max(x), c.min(y), d.max(y)])
-    })
+    });
+    match (found, panel.x_range, panel.y_range) {
+        (None, Some((a, b)), Some((c, d))) => Some([a, b, c, d]),
+        (None, ..) => None,
+        (Some([a, b, c, d]), x, y) => {
+            let ((a, b), (c, d)) = (x.unwrap_or((a, b)), y.unwrap_or((c, d)));
+            Some([a, b, c, d])
+        }
+    }
 }
 
 /// The point can appear in the panel.

@@ -4,8 +4,9 @@
 //! share its line, outside the box, so that they never hide a curve.
 
 use kuva::render::render::{Primitive, Scene, TextAnchor};
-use precess::figure::Panel;
+use precess::figure::{Panel, Stroke};
 
+use super::path::dashes;
 use super::style::{INK, INKS, LABEL, PANEL_TITLE, SOFT};
 use super::text::{clean, fitting, line, width};
 
@@ -18,12 +19,20 @@ const AROUND: f64 = 24.0;
 /// Lines of names at most; the rest is counted.
 const LINES: usize = 4;
 
+/// What a colour stands for.
+#[derive(Clone, Debug, PartialEq)]
+struct Name {
+    ink: usize,
+    dashes: Option<String>,
+    text: String,
+}
+
 /// The lines above one box.
 pub struct Header {
     title: String,
     label: String,
     /// Names by line; the first line stands beside the label where it fits.
-    names: Vec<Vec<(usize, String)>>,
+    names: Vec<Vec<Name>>,
     beside: bool,
     left: f64,
     right: f64,
@@ -34,10 +43,8 @@ impl Header {
     pub fn new(panel: &Panel, note: &str, left: f64, right: f64) -> Self {
         let label = clean(&format!("{}{note}", panel.y_label));
         let room = right - left;
-        let named: Vec<_> = panel.curves.iter().enumerate().filter(|(_, c)| !c.label.is_empty()).collect();
-        let named = if named.len() > 1 { named } else { Vec::new() };
-        let named = named.into_iter().map(|(i, c)| (i, clean(&c.label))).collect::<Vec<_>>();
-        let total: f64 = named.iter().map(|(_, name)| extent(name)).sum();
+        let named = named(panel);
+        let total: f64 = named.iter().map(|name| extent(&name.text)).sum();
         let beside = total + width(&label, LABEL) + AROUND <= room;
         let names = if named.is_empty() { Vec::new() } else { lines(named, room) };
         Self { title: clean(&panel.title), label, names, beside, left, right }
@@ -69,11 +76,30 @@ impl Header {
         }
         for (i, names) in self.names.iter().enumerate() {
             let down = if self.beside { 0.0 } else { LINE * (i + 1) as f64 };
-            let total: f64 = names.iter().map(|(_, name)| extent(name)).sum::<f64>() - AROUND;
+            let total: f64 = names.iter().map(|name| extent(&name.text)).sum::<f64>() - AROUND;
             let start = if self.beside { self.right - total } else { self.left };
             draw_names(scene, names, start, first + down);
         }
     }
+}
+
+/// Each name once, where there is more than one thing to tell apart.
+fn named(panel: &Panel) -> Vec<Name> {
+    let mut all: Vec<Name> = Vec::new();
+    let curves = panel.curves.iter().enumerate().map(|(index, curve)| {
+        let ink = curve.ink.unwrap_or(index);
+        let broken = (curve.stroke == Stroke::Dashed).then(|| "5 4".to_owned());
+        Name { ink, dashes: broken.or_else(|| dashes(ink)), text: clean(&curve.label) }
+    });
+    let classes = panel.map.iter().flat_map(|map| map.names.iter().enumerate());
+    let classes = classes.map(|(ink, name)| Name { ink, dashes: None, text: clean(name) });
+    for name in classes.chain(curves).filter(|name| !name.text.is_empty()) {
+        if !all.contains(&name) {
+            all.push(name);
+        }
+    }
+    let things = panel.curves.len() + panel.map.as_ref().map_or(0, |map| map.names.len());
+    if things > 1 { all } else { Vec::new() }
 }
 
 /// Pixels of one name with its stroke and the space after it.
@@ -82,17 +108,17 @@ fn extent(name: &str) -> f64 {
 }
 
 /// Names filled into lines; what exceeds the last one is counted there.
-fn lines(named: Vec<(usize, String)>, room: f64) -> Vec<Vec<(usize, String)>> {
+fn lines(named: Vec<Name>, room: f64) -> Vec<Vec<Name>> {
     let (count, mut used) = (named.len(), 0.0);
-    let mut lines: Vec<Vec<(usize, String)>> = Vec::new();
-    for (index, name) in named {
-        let wide = extent(&name);
+    let mut lines: Vec<Vec<Name>> = Vec::new();
+    for name in named {
+        let wide = extent(&name.text);
         let full = lines.len() == LINES;
         match lines.last_mut() {
-            Some(line) if used + wide <= room + AROUND => line.push((index, name)),
+            Some(line) if used + wide <= room + AROUND => line.push(name),
             _ if full => break,
             _ => {
-                lines.push(vec![(index, name)]);
+                lines.push(vec![name]);
                 used = 0.0;
             }
         }
@@ -100,17 +126,17 @@ fn lines(named: Vec<(usize, String)>, room: f64) -> Vec<Vec<(usize, String)>> {
     }
     let shown: usize = lines.iter().map(Vec::len).sum();
     if shown < count
-        && let Some((_, name)) = lines.last_mut().and_then(|l| l.last_mut())
+        && let Some(name) = lines.last_mut().and_then(|l| l.last_mut())
     {
-        *name = format!("and {} more", count - shown + 1);
+        name.text = format!("and {} more", count - shown + 1);
     }
     lines
 }
 
-fn draw_names(scene: &mut Scene, names: &[(usize, String)], start: f64, base: f64) {
+fn draw_names(scene: &mut Scene, names: &[Name], start: f64, base: f64) {
     let mut x = start;
-    for (index, name) in names {
-        let (y, colour) = (base - 4.0, INKS[index % INKS.len()]);
+    for name in names {
+        let (y, colour) = (base - 4.0, INKS[name.ink % INKS.len()]);
         scene.add(Primitive::Line {
             x1: x.round(),
             y1: y,
@@ -118,9 +144,9 @@ fn draw_names(scene: &mut Scene, names: &[(usize, String)], start: f64, base: f6
             y2: y,
             stroke: colour.into(),
             stroke_width: 2.0,
-            stroke_dasharray: super::panel::dashes(*index),
+            stroke_dasharray: name.dashes.clone(),
         });
-        scene.add(line(x + STROKE + 6.0, base, name, LABEL, TextAnchor::Start, INK));
-        x += extent(name);
+        scene.add(line(x + STROKE + 6.0, base, &name.text, LABEL, TextAnchor::Start, INK));
+        x += extent(&name.text);
     }
 }

@@ -8,8 +8,10 @@
 mod axes;
 mod axis;
 mod bounds;
+mod clip;
 mod header;
 mod layout;
+mod map;
 mod number;
 mod page;
 mod panel;

@@ -2,37 +2,37 @@
 
 use kuva::TickFormat;
 use kuva::plot::LinePlot;
-use kuva::plot::line::LineStyle;
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::plots::Plot;
 use kuva::render::render::{Primitive, Scene, TextAnchor, render_multiple};
+use precess::figure::{Mark, Sign, Stroke};
 use std::sync::Arc;
 
 use super::axis::Axis;
 use super::bounds::drawable;
+use super::clip::clipped;
 use super::layout::Placed;
-use super::path::tidied;
+use super::map;
+use super::path::{path, tidied};
 use super::style::{INK, INKS, LABEL, PAPER, SOFT, TICK, theme};
 use super::text::{clean, fitting, line, width};
+use super::thin::Point;
 
 /// Draws the panel in its place on a page of the given size.
 pub fn draw(scene: &mut Scene, placed: &Placed, page: (f64, f64)) {
     let frame = placed.frame;
     let layout = layout(placed, page);
     let computed = ComputedLayout::from_layout(&layout);
-    // Joints and ends of curves are round: a sharp turn must not throw a spike.
-    let round = Some(r#"stroke-linejoin="round" stroke-linecap="round""#.to_owned());
-    for primitive in render_multiple(plots(placed), layout).elements {
-        let curve = matches!(primitive, Primitive::PolyLine { .. });
-        let Some(primitive) = tidied(primitive) else { continue };
-        if curve {
-            scene.add(Primitive::GroupStart { transform: None, title: None, extra_attrs: round.clone() });
-        }
-        scene.add(primitive);
-        if curve {
-            scene.add(Primitive::GroupEnd);
+    if let Some(map) = &placed.panel.map {
+        map::draw(scene, map, placed);
+    }
+    // The library draws no axes without a plot; the curves are ours.
+    for primitive in render_multiple(vec![Plot::Line(LinePlot::new())], layout).elements {
+        if let Some(primitive) = tidied(primitive) {
+            scene.add(primitive);
         }
     }
+    curves(scene, placed, &computed);
     marks(scene, placed, &computed);
     placed.header.draw(scene, placed.top, frame.y);
     let label = clean(&format!("{}{}", placed.panel.x_label, placed.axes.x.note()));
@@ -71,52 +71,45 @@ fn layout(placed: &Placed, page: (f64, f64)) -> Layout {
         .with_theme(theme())
 }
 
-/// The curves in local numbers; at least one, for the library draws no axes without.
-fn plots(placed: &Placed) -> Vec<Plot> {
+/// The curves, thinned and cut off at the box. Joints and ends are round: a sharp turn must not throw a spike.
+fn curves(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
     let (panel, x, y) = (placed.panel, &placed.axes.x, &placed.axes.y);
-    let mut plots: Vec<Plot> = Vec::new();
+    let ranged = panel.x_range.is_some() || panel.y_range.is_some();
     for (index, curve) in panel.curves.iter().enumerate() {
-        let local = |(&a, &b): (&f64, &f64)| {
-            if drawable(panel, a, b) { (x.local(a), y.local(b)) } else { (f64::NAN, f64::NAN) }
+        let pixel = |(&a, &b): (&f64, &f64)| {
+            if drawable(panel, a, b) {
+                (computed.map_x(x.local(a)), computed.map_y(y.local(b)))
+            } else {
+                (f64::NAN, f64::NAN)
+            }
         };
-        let mut points: Vec<(f64, f64)> = curve.x.iter().zip(&curve.y).map(local).collect();
-        if let [single] = points[..] {
-            points.push(single); // The library leaves a lone point out.
+        let mut points: Vec<Point> = curve.x.iter().zip(&curve.y).map(pixel).collect();
+        if curve.stroke == Stroke::Dots {
+            points = points.into_iter().flat_map(|p| [p, (f64::NAN, f64::NAN)]).collect();
         }
-        let line = LinePlot::new().with_data(points).with_color(INKS[index % INKS.len()]);
-        let style = dashes(index).map_or(LineStyle::Solid, LineStyle::Custom);
-        plots.push(Plot::Line(line.with_line_style(style)));
-    }
-    if plots.is_empty() {
-        plots.push(Plot::Line(LinePlot::new()));
-    }
-    plots
-}
-
-/// The inks come round again in dashes.
-pub fn dashes(index: usize) -> Option<String> {
-    match index / INKS.len() {
-        0 => None,
-        1 => Some("6 3".to_owned()),
-        _ => Some("2 3".to_owned()),
+        if ranged {
+            points = clipped(&points, &placed.frame);
+        }
+        let Some(path) = path(&points, curve.ink.unwrap_or(index), curve.stroke) else { continue };
+        let round = Some(r#"stroke-linejoin="round" stroke-linecap="round""#.to_owned());
+        scene.add(Primitive::GroupStart { transform: None, title: None, extra_attrs: round });
+        scene.add(path);
+        scene.add(Primitive::GroupEnd);
     }
 }
 
-/// Marked points, each a ringed dot with its text on the side where there is room.
+/// Marked points, each with its text on the side where there is room.
 fn marks(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
     let (frame, panel) = (placed.frame, placed.panel);
     for mark in panel.marks.iter().filter(|m| drawable(panel, m.x, m.y)) {
         let cx = computed.map_x(placed.axes.x.local(mark.x));
         let cy = computed.map_y(placed.axes.y.local(mark.y));
-        scene.add(Primitive::Circle {
-            cx,
-            cy,
-            r: 4.0,
-            fill: INK.into(),
-            fill_opacity: None,
-            stroke: Some(PAPER.into()),
-            stroke_width: Some(1.5),
-        });
+        let across = frame.x - 0.5..=frame.x + frame.wide + 0.5;
+        let up = frame.y - 0.5..=frame.y + frame.high + 0.5;
+        if !(across.contains(&cx) && up.contains(&cy)) {
+            continue;
+        }
+        sign(scene, mark, (cx, cy));
         let text = clean(&mark.label);
         if text.is_empty() {
             continue;
@@ -125,5 +118,39 @@ fn marks(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
         let (x, anchor) = if outward { (cx - 8.0, TextAnchor::End) } else { (cx + 8.0, TextAnchor::Start) };
         let y = if cy - 16.0 < frame.y { cy + 15.0 } else { cy - 7.0 };
         scene.add(line(x, y, &text, TICK, anchor, INK));
+    }
+}
+
+/// The shape of a mark.
+fn sign(scene: &mut Scene, mark: &Mark, (cx, cy): Point) {
+    let ink = mark.ink.map_or(INK, |k| INKS[k % INKS.len()]);
+    let mut circle = |r: f64, fill: &str, edge: &str, stroke_width: f64| {
+        scene.add(Primitive::Circle {
+            cx,
+            cy,
+            r,
+            fill: fill.into(),
+            fill_opacity: None,
+            stroke: Some(edge.into()),
+            stroke_width: Some(stroke_width),
+        });
+    };
+    match mark.sign {
+        Sign::Dot => circle(4.0, ink, PAPER, 1.5),
+        Sign::Ring => circle(4.0, PAPER, ink, 1.8),
+        Sign::Ball => circle(8.0, ink, PAPER, 1.5),
+        Sign::Cross => {
+            for side in [1.0, -1.0] {
+                scene.add(Primitive::Line {
+                    x1: cx - 4.5,
+                    y1: cy - 4.5 * side,
+                    x2: cx + 4.5,
+                    y2: cy + 4.5 * side,
+                    stroke: ink.into(),
+                    stroke_width: 2.2,
+                    stroke_dasharray: None,
+                });
+            }
+        }
     }
 }

@@ -1,26 +1,43 @@
-//! What the library drew, tidied: curves become short thinned paths, lines sit on the pixels.
+//! Curves as short thinned paths; and what the library drew, tidied: lines sit on the pixels.
 
 use kuva::render::render::{PathData, Primitive};
+use precess::figure::Stroke;
 
-use super::style::{CURVE, CURVE_DENSE};
+use super::style::{CURVE, CURVE_DENSE, CURVE_THIN, INKS};
 use super::text::quarter;
 use super::thin::{Point, thinned};
 
 /// Points that a curve of full width, and of the next one, may have after thinning.
 const DENSE: [usize; 2] = [12_000, 40_000];
 
-/// One primitive of a panel as it goes onto the page; clips fall away, for ranges hold all data.
+/// A curve through pixels; `None` where there is nothing of it.
+pub fn path(points: &[Point], ink: usize, stroke: Stroke) -> Option<Primitive> {
+    let runs = thinned(points);
+    let count: usize = runs.iter().map(Vec::len).sum();
+    let dots = runs.iter().all(|run| run.len() == 1);
+    let stroke_width = match stroke {
+        _ if dots => dot(count),
+        Stroke::Thin => CURVE_THIN,
+        _ => width(count),
+    };
+    let stroke_dasharray = if stroke == Stroke::Dashed { Some("5 4".to_owned()) } else { dashes(ink) };
+    let (d, stroke) = (described(&runs), INKS[ink % INKS.len()].into());
+    let path = PathData { d, fill: None, stroke, stroke_width, opacity: None, stroke_dasharray };
+    (count > 0).then(|| Primitive::Path(Box::new(path)))
+}
+
+/// The inks come round again in dashes.
+pub fn dashes(ink: usize) -> Option<String> {
+    match ink / INKS.len() {
+        0 => None,
+        1 => Some("6 3".to_owned()),
+        _ => Some("2 3".to_owned()),
+    }
+}
+
+/// One primitive of an empty panel as it goes onto the page; clips fall away, for there is nothing to cut.
 pub fn tidied(primitive: Primitive) -> Option<Primitive> {
     match primitive {
-        Primitive::PolyLine { points, stroke: ink, stroke_dasharray, .. } => {
-            let runs = thinned(&points);
-            let count: usize = runs.iter().map(Vec::len).sum();
-            let dots = runs.iter().all(|run| run.len() == 1);
-            let stroke_width = if dots { dot(count) } else { stroke(count) };
-            let d = described(&runs);
-            let path = PathData { d, fill: None, stroke: ink, stroke_width, opacity: None, stroke_dasharray };
-            (count > 0).then(|| Primitive::Path(Box::new(path)))
-        }
         Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray } => {
             let [x1, y1, x2, y2] = [x1, y1, x2, y2].map(centre);
             Some(Primitive::Line { x1, y1, x2, y2, stroke, stroke_width, stroke_dasharray })
@@ -29,13 +46,13 @@ pub fn tidied(primitive: Primitive) -> Option<Primitive> {
             let (x, y) = (quarter(x), quarter(y));
             Some(Primitive::Text { x, y, content, size, anchor, rotate, bold, color })
         }
-        Primitive::ClipStart { .. } | Primitive::ClipEnd => None,
+        Primitive::ClipStart { .. } | Primitive::ClipEnd | Primitive::PolyLine { .. } => None,
         other => Some(other),
     }
 }
 
 /// The width of a curve with so many points.
-fn stroke(count: usize) -> f64 {
+fn width(count: usize) -> f64 {
     let [dense, denser] = DENSE.map(|limit| count > limit);
     if denser {
         CURVE_DENSE[1]

@@ -17,6 +17,13 @@ pub const GRID: &str = "#e9e4d8";
 pub const INKS: [&str; 8] =
     ["#1d4e80", "#c4512d", "#1f8a70", "#d39a1c", "#8a5a9e", "#5a9fc7", "#5a3a22", "#85878c"];
 
+/// The same inks lighter: the second shade of a pattern.
+pub const SHADES: [&str; 8] =
+    ["#7c9cbd", "#e3a48f", "#83c2b1", "#ecd08c", "#c3a9cf", "#b5d6e6", "#a48f82", "#bfc0c4"];
+
+/// What belongs to no class.
+pub const UNCLASSED: &str = "#f1eee7";
+
 /// Families a viewer may have; all nearly as narrow as the embedded face the page is measured with.
 pub const FAMILY: &str = "DejaVu Sans Condensed, Helvetica Neue, Helvetica, Arial, DejaVu Sans, sans-serif";
 
@@ -46,6 +53,8 @@ pub const TICK: u32 = 11;
 
 /// Width of a curve.
 pub const CURVE: f64 = 1.5;
+/// Width of a curve of which there are many.
+pub const CURVE_THIN: f64 = 0.55;
 /// Width of a curve with so many points that it would become a blot, and with still more.
 pub const CURVE_DENSE: [f64; 2] = [0.8, 0.5];
 

@@ -17,32 +17,15 @@
 //! Constant are the energy, Jellett's -L.GA and Routh's omega3 sqrt(f3). The contact lies on the *complete*
 //! sphere (T's note 6). A top that only rolls does not turn over; that takes slipping.
 
+use super::euler_angles::{over_sine, start_on_the_vertical};
+use super::truncated_sphere::{ALPHA, I1, I3, MASS, RADIUS};
 use crate::rotation::{cross, dot};
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
-use std::f64::consts::PI;
+use precess_system::{Card, Given, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
 pub struct TippeTopRolling;
-
-/// T's truncated sphere (3.3): density, radius and height of the missing cap.
-const DENSITY: f64 = 700.0;
-const RADIUS: f64 = 0.02;
-const CUT: f64 = 0.015;
-const MASS: f64 = PI * DENSITY * (4.0 / 3.0 * RADIUS * RADIUS * RADIUS - CUT * CUT * (RADIUS - CUT / 3.0));
-const ALPHA: f64 = 3.0 * CUT * CUT / (4.0 * RADIUS * (RADIUS + CUT));
-const REST: f64 = 2.0 * RADIUS - CUT;
-const I3: f64 = PI / 30.0
-    * DENSITY
-    * (REST * REST * REST)
-    * (2.0 * RADIUS * RADIUS + 3.0 * CUT * RADIUS + 3.0 * CUT * CUT);
-/// The integral of z^2 dm, z measured from C.
-const ALONG: f64 = PI / 15.0
-    * DENSITY
-    * (REST * REST)
-    * (RADIUS * RADIUS * RADIUS + CUT * RADIUS * RADIUS - 3.0 * CUT * CUT * RADIUS + 3.0 * CUT * CUT * CUT);
-const I1: f64 = I3 / 2.0 + ALONG - MASS * (RADIUS * ALPHA) * (RADIUS * ALPHA);
 
 /// T's f3.
 #[inline(always)]
@@ -65,7 +48,8 @@ fn accelerations<S: Scalar>(s: &State<S>) -> [S; 3] {
     // The height of G above the table, in radii.
     let height = -(alpha * cos) + 1.0;
 
-    let psi_ddot = theta_dot / sin * (omega3 * i3 * (i3 + m_r2 * height) / f3 - psi_dot * cos * 2.0);
+    let turning = omega3 * i3 * (i3 + m_r2 * height) / f3 - psi_dot * cos * 2.0;
+    let psi_ddot = over_sine(theta_dot * turning, sin);
     let bracket = psi_dot * psi_dot * (i1 * cos - m_r2 * off_axis * height)
         - omega3 * psi_dot * (m_r2 * height + i3)
         - m_r2 * theta_dot * theta_dot * alpha
@@ -169,7 +153,17 @@ impl System for TippeTopRolling {
         out[9..].copy_from_slice(&[cx, cy, m * (g + lift)]);
     }
 
+    fn start(&self, _given: &Given, values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {
+        let [m, radius, alpha, i1, i3] = *values.numbers.first_chunk().expect("the card's parameters");
+        let m_r2 = m * radius * radius;
+        let cos = Scalar::sign(Scalar::cos(y[1]));
+        let f3 = i1 * i3 + m_r2 * i3 * (alpha - cos) * (alpha - cos);
+        start_on_the_vertical(y, 5, i3 * (i3 + m_r2 * (1.0 - alpha * cos)) / (2.0 * f3));
+        Ok(())
+    }
+
     fn check(&self, s: &State<f64>) -> Result<(), String> {
-        super::refuse_vertical(s.q::<2>()[1])
+        let [_m, _radius, _alpha, i1, i3] = s.p();
+        super::possible_inertia([i1, i1, i3])
     }
 }

@@ -23,9 +23,13 @@ pub fn cases(system: Any) -> Result<Vec<Vec<Case>>, String> {
     let card = system.card();
     let plain = Values::defaults(&card);
     let mut longer = plain.clone();
-    for list in &mut longer.lists {
-        let more: Vec<f64> = list.items.iter().copied().cycle().take(2 * list.width).collect();
-        list.items.extend(more);
+    let longest = card.parameters.iter().filter(|p| matches!(p.default, Default::List { .. }));
+    for (list, parameter) in longer.lists.iter_mut().zip(longest) {
+        // A vector has three components and no more.
+        if list.items.len() / list.width + 2 <= parameter.longest {
+            let more: Vec<f64> = list.items.iter().copied().cycle().take(2 * list.width).collect();
+            list.items.extend(more);
+        }
     }
     let mut variants = vec![(plain.clone(), Given::default())];
     if !plain.lists.is_empty() {
@@ -50,7 +54,7 @@ fn drawn(system: Any, values: &Values<f64>, given: &Given, draw: &mut Draw) -> R
     let mut refusal = String::new();
     let mut cases = vec![];
     // Some draws make no sense (a body without a possible shape); most must.
-    for _ in 0..10 * DRAWN {
+    for _ in 0..40 * DRAWN {
         match one(system, values, given, draw) {
             Ok(case) => cases.push(case),
             Err(reason) => refusal = reason,

@@ -122,7 +122,8 @@ impl Units {
         for (list, unit) in values.lists.iter_mut().zip(units(|d| matches!(d, Default::List { .. }))) {
             list.items.fill(unit);
         }
-        let modes = std::iter::repeat_n(Unit::of(Dimension::NONE), case.layout.modes);
+        // A mode has the dimension of what it holds.
+        let modes = std::iter::repeat_n(Unit::from(0.0), case.layout.modes);
         let state = state.into_iter().map(Unit::of).chain(modes).collect();
         Ok(Self { values, state, time })
     }

@@ -43,6 +43,7 @@ pub fn lyapunov(scenario: &Scenario, progress: Progress) -> Result<Answer, Error
         label: format!("λ{}", k + 1),
         x: found.times.clone(),
         y: mean.clone(),
+        ..Curve::default()
     });
     let panel = Panel {
         x_label: "t [s]".into(),

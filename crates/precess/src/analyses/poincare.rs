@@ -77,7 +77,7 @@ pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) ->
         title: format!("Section {}", spec.section.trim()),
         x_label: axis(&quantities[x]),
         y_label: axis(&quantities[y]),
-        curves: vec![Curve { label: String::new(), x: of(x), y: of(y) }],
+        curves: vec![Curve { x: of(x), y: of(y), ..Curve::default() }],
         ..Panel::default()
     };
     let figure = Figure {

@@ -126,7 +126,13 @@ fn the_scenarios_that_come_with_the_program_are_right() {
     let all = scenarios::all();
     assert!(all.len() >= 3);
     for (name, text) in all {
-        let plan = Scenario::parse(text).and_then(|s| Plan::new(&s));
+        let scenario = Scenario::parse(text).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let words = &scenario.text;
+        assert!(
+            [&scenario.title, &words.title_fr, &words.note, &words.note_fr].iter().all(|t| !t.is_empty()),
+            "{name}: a title and a note, in English and in French"
+        );
+        let plan = Plan::new(&scenario);
         assert!(plan.is_ok(), "{name}: {}", plan.err().map(|e| e.to_string()).unwrap_or_default());
         fuzz_body::parsers(text.as_bytes());
     }

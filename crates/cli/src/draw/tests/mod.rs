@@ -2,14 +2,14 @@
 
 mod pixels;
 
-use precess::figure::{Curve, Figure, Mark, Panel};
+use precess::figure::{Curve, Figure, Map, Mark, Panel, Sign, Stroke};
 
 use crate::draw::png::KEYWORD;
 use crate::draw::{png, svg};
 
 fn curve(label: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Curve {
     let (x, y) = points.into_iter().unzip();
-    Curve { label: label.to_owned(), x, y }
+    Curve { label: label.to_owned(), x, y, ..Curve::default() }
 }
 
 fn panel(curves: Vec<Curve>) -> Panel {
@@ -52,7 +52,8 @@ fn nasty() -> Vec<Vec<(f64, f64)>> {
 fn variants(points: &[(f64, f64)]) -> Vec<Figure> {
     let mut figures = Vec::new();
     for (equal_scales, logarithmic) in [(false, false), (true, false), (false, true), (true, true)] {
-        let marks = points.iter().map(|&(x, y)| Mark { label: "m".into(), x, y }).collect();
+        let marks =
+            points.iter().map(|&(x, y)| Mark { label: "m".into(), x, y, ..Mark::default() }).collect();
         let bare = panel(vec![curve("c", points.iter().copied())]);
         let one = Panel { equal_scales, logarithmic, ..bare };
         let marked = Panel { marks, curves: Vec::new(), ..one.clone() };
@@ -112,7 +113,7 @@ fn every_label_appears() {
         panel.title = format!("title <{i}>");
         panel.x_label = format!("abscissa {i}");
         panel.y_label = format!("ordinate {i}");
-        panel.marks = vec![Mark { label: format!("mark {i}"), x: 0.5, y: 0.5 }];
+        panel.marks = vec![Mark { label: format!("mark {i}"), x: 0.5, y: 0.5, ..Mark::default() }];
     }
     for count in 1..=panels.len() {
         let drawn = svg(&figure(panels[..count].to_vec()));
@@ -210,4 +211,62 @@ fn control_characters_do_not_reach_the_file() {
     let drawn = svg(&hostile);
     assert!(drawn.contains(">a[31mb</text>") && !drawn.contains(['\u{0}', '\u{1b}', '\u{ffff}']));
     assert!(png(&hostile).is_ok());
+}
+
+#[test]
+fn a_range_cuts_the_curve_at_its_border() {
+    // A straight line from corner to corner of twice the range: it enters and leaves half-way.
+    let long = curve("", [(-2.0, -2.0), (2.0, 2.0)]);
+    let range = Some((-1.0, 1.0));
+    let cut =
+        Panel { x_range: range, y_range: range, ..panel(vec![long, curve("", [(-1.0, -1.0), (1.0, 1.0)])]) };
+    let drawn = svg(&figure(vec![cut.clone()]));
+    let drawn = paths(&drawn);
+    assert_eq!(drawn.len(), 2);
+    assert_eq!(drawn[0], drawn[1]);
+    let outside = Panel { curves: vec![curve("", [(3.0, 3.0), (4.0, 5.0)])], ..cut };
+    assert!(paths(&svg(&figure(vec![outside]))).is_empty());
+}
+
+#[test]
+fn the_cells_of_a_map_fill_the_box_without_a_gap() {
+    let classes: Vec<i32> = (0..30).map(|k| k % 3 - 1).collect();
+    let names = vec!["left".to_owned(), "right".to_owned()];
+    let map = Map { x: (0.0, 9.0), y: (0.0, 2.0), columns: 10, classes, names };
+    let drawn = svg(&figure(vec![Panel { map: Some(map), ..panel(vec![]) }]));
+    assert!(drawn.contains(">left</text>") && drawn.contains(">right</text>"));
+    let numbers =
+        |d: &str| d.split(['M', 'h', 'v', 'z', ' ']).filter_map(|n| n.parse().ok()).collect::<Vec<f64>>();
+    let area: f64 = paths(&drawn)
+        .iter()
+        .flat_map(|d| numbers(d).chunks(5).map(|cell| (cell[2] * cell[3]).abs()).collect::<Vec<_>>())
+        .sum();
+    // Sides in hundredths of a pixel: thirty cells are right to a part in a thousand.
+    let (wide, high) = extent_of(&paths(&drawn).iter().flat_map(|d| numbers(d)).collect::<Vec<_>>());
+    assert!((area / (wide * high) - 1.0).abs() < 1e-3, "{area} {wide} {high}");
+}
+
+/// Width and height that cells (x, y, width, height, -width) cover.
+fn extent_of(cells: &[f64]) -> (f64, f64) {
+    let of = |at: usize, side: usize| {
+        let ends = || cells.chunks(5).flat_map(move |c| [c[at], c[at] + c[side]]);
+        ends().fold(f64::MIN, f64::max) - ends().fold(f64::MAX, f64::min)
+    };
+    (of(0, 2), of(1, 3))
+}
+
+#[test]
+fn strokes_and_signs_differ() {
+    let styled = |stroke| Curve { stroke, ink: Some(3), label: String::new(), ..sine(200) };
+    let drawn =
+        svg(&figure(vec![panel(vec![styled(Stroke::Line), styled(Stroke::Thin), styled(Stroke::Dashed)])]));
+    let widths: Vec<&str> = values(&drawn, "stroke-width").into_iter().rev().take(3).collect();
+    assert!(widths.contains(&"0.55"), "{widths:?}");
+    assert_eq!(values(&drawn, "stroke-dasharray"), ["5 4"]);
+    let dots = svg(&figure(vec![panel(vec![styled(Stroke::Dots)])]));
+    assert!(paths(&dots)[0].matches('M').count() > 150);
+    let mark = |sign| Mark { sign, x: 1.0, y: 0.5, ..Mark::default() };
+    let signs = [Sign::Dot, Sign::Ring, Sign::Cross, Sign::Ball].map(mark).to_vec();
+    let marked = svg(&figure(vec![Panel { marks: signs, ..panel(vec![sine(10)]) }]));
+    assert_eq!(values(&marked, "r"), ["4", "4", "8"]);
 }
