@@ -56,5 +56,7 @@ pub static ALL: &[&dyn AnySystem] = &[
     &table::sliding_body::SLIDING_BODY,
     &table::tippe_top::TIPPE_TOP,
     &table::spinning_egg::SPINNING_EGG,
+    &table::sliding_cone::SLIDING_CONE,
+    &table::rounded_top::ROUNDED_TOP,
     &table::billiard_ball::BILLIARD_BALL,
 ];

@@ -1,7 +1,8 @@
 //! A billiard ball: it slips, its path is a parabola, and it rolls after 2 u0 / (7 mu g).
 
 use super::form::Form;
-use super::on_table::{Slider, Top};
+use super::slider::Slider;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.

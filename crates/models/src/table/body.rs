@@ -8,51 +8,15 @@
 //!
 //! and G is at the height h(-gamma) = -gamma.r. A test holds r and its rate against dual numbers of h.
 
+use crate::inertia::Matrix;
 use crate::rotation::{Vector, cross, dot};
 use precess_scalar::Scalar;
-
-/// A symmetric matrix: its diagonal, and its entries 23, 13, 12.
-#[derive(Clone, Copy)]
-pub(super) struct Symmetric<S> {
-    pub diagonal: Vector<S>,
-    pub off: Vector<S>,
-}
-
-impl<S: Scalar> Symmetric<S> {
-    /// The matrix times a vector.
-    #[inline(always)]
-    pub fn times(&self, v: Vector<S>) -> Vector<S> {
-        let ([d1, d2, d3], [o23, o13, o12]) = (self.diagonal, self.off);
-        [dot([d1, o12, o13], v), dot([o12, d2, o23], v), dot([o13, o23, d3], v)]
-    }
-    /// By cofactors.
-    #[inline(always)]
-    pub fn inverse(&self) -> Self {
-        let ([d1, d2, d3], [o23, o13, o12]) = (self.diagonal, self.off);
-        let diagonal = [d2 * d3 - o23 * o23, d1 * d3 - o13 * o13, d1 * d2 - o12 * o12];
-        let off = [o12 * o13 - d1 * o23, o12 * o23 - d2 * o13, o13 * o23 - d3 * o12];
-        let determinant = d1 * diagonal[0] + o12 * off[2] + o13 * off[1];
-        let part = S::from(1.0) / determinant;
-        Self { diagonal: scaled(diagonal, part), off: scaled(off, part) }
-    }
-    /// Huygens and Steiner: the inertia about a point at r from G.
-    #[inline(always)]
-    pub fn about(&self, mass: S, r: Vector<S>) -> Self {
-        let [x, y, z] = r;
-        let (xx, yy, zz) = (x * x, y * y, z * z);
-        let ([d1, d2, d3], [o23, o13, o12]) = (self.diagonal, self.off);
-        Self {
-            diagonal: [d1 + mass * (yy + zz), d2 + mass * (xx + zz), d3 + mass * (xx + yy)],
-            off: [o23 - mass * y * z, o13 - mass * x * z, o12 - mass * x * y],
-        }
-    }
-}
 
 /// Mass, inertia about G, and the support function.
 #[derive(Clone, Copy)]
 pub(super) struct Body<S> {
     pub mass: S,
-    pub inertia: Symmetric<S>,
+    pub inertia: Matrix<S>,
     pub point: Vector<S>,
     pub radius: S,
     pub axes: Vector<S>,

@@ -4,7 +4,8 @@
 //! which is not modelled.
 
 use super::form::Form;
-use super::on_table::{Roller, Top};
+use super::roller::Roller;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.

@@ -1,6 +1,7 @@
 //! The ways to give a body by parameters: written out, or by the few numbers of a named top.
 
-use super::body::{Body, Symmetric};
+use super::body::Body;
+use crate::inertia::diagonal;
 use precess_scalar::Scalar;
 
 /// How a system's first parameters make a body.
@@ -16,6 +17,8 @@ pub(super) enum Form {
     Ellipsoid,
     /// `m, radius, edge, i1, i3`: a disc of this radius whose edge is round.
     Disc,
+    /// `m, d, tip, i1, i3`: a tip of this radius whose centre lies d below G.
+    Tip,
 }
 
 impl Form {
@@ -23,7 +26,7 @@ impl Form {
     pub const fn count(self) -> usize {
         match self {
             Self::General => 14,
-            Self::Sphere | Self::Disc => 5,
+            Self::Sphere | Self::Disc | Self::Tip => 5,
             Self::Spheroid => 6,
             Self::Ellipsoid => 9,
         }
@@ -31,23 +34,28 @@ impl Form {
 
     /// The body touches with a sphere about a point of its axis of symmetry: Jellett's quantity is constant.
     pub const fn is_spherical(self) -> bool {
-        matches!(self, Self::Sphere)
+        matches!(self, Self::Sphere | Self::Tip)
+    }
+
+    /// The body may touch with a sphere: Routh's quantity means something.
+    pub const fn has_routh(self) -> bool {
+        matches!(self, Self::General | Self::Sphere | Self::Tip)
     }
 
     /// The body of these parameters.
     #[inline(always)]
     pub fn body<S: Scalar>(self, p: &[S]) -> Body<S> {
         let zero = S::from(0.0);
-        let symmetric = |i1, i3| Symmetric { diagonal: [i1, i1, i3], off: [zero; 3] };
+        let symmetric = |i1, i3| diagonal([i1, i1, i3]);
         match *p {
             [m, i11, i22, i33, i12, i13, i23, p1, p2, p3, radius, a1, a2, a3, ..]
                 if self == Self::General =>
             {
-                let inertia = Symmetric { diagonal: [i11, i22, i33], off: [i23, i13, i12] };
+                let inertia = [[i11, i12, i13], [i12, i22, i23], [i13, i23, i33]];
                 Body { mass: m, inertia, point: [p1, p2, p3], radius, axes: [a1, a2, a3] }
             }
             [m, a, b, c, h, i11, i22, i33, i12, ..] if self == Self::Ellipsoid => {
-                let inertia = Symmetric { diagonal: [i11, i22, i33], off: [zero, zero, i12] };
+                let inertia = [[i11, i12, zero], [i12, i22, zero], [zero, zero, i33]];
                 Body { mass: m, inertia, point: [zero, zero, h], radius: zero, axes: [a, b, c] }
             }
             [m, a, b, h, i1, i3, ..] if self == Self::Spheroid => Body {
@@ -60,6 +68,7 @@ impl Form {
             [m, size, other, i1, i3, ..] => {
                 let (point, radius, axes) = match self {
                     Self::Sphere => (size * other, size, zero),
+                    Self::Tip => (-size, other, zero),
                     _ => (zero, other, size - other),
                 };
                 let inertia = symmetric(i1, i3);

@@ -5,7 +5,8 @@
 //! all the same: spun at +5 rad/s it turns back after 2.7 s, at -5 rad/s only after 11.5 s.
 
 use super::form::Form;
-use super::on_table::{Roller, Top};
+use super::roller::Roller;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 use std::f64::consts::FRAC_PI_4;
 

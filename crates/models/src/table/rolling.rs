@@ -10,6 +10,7 @@
 //! (T, frame on page 12, whose (9) lacks what the moving contact adds: here it is the term with r'.)
 
 use super::body::{Body, Touch, minus, plus, scaled};
+use crate::inertia::{apply, solve, transferred};
 use crate::rotation::{Vector, cross};
 use precess_scalar::Scalar;
 
@@ -30,9 +31,9 @@ pub(super) fn roll<S: Scalar>(
 ) -> Rolling<S> {
     let Touch { r, r_dot, .. } = *touch;
     let known = minus(plus(cross(r_dot, omega), cross(omega, cross(r, omega))), gravity);
-    let spin = cross(omega, body.inertia.times(omega));
+    let spin = cross(omega, apply(body.inertia, omega));
     let moment = plus(minus(torque, spin), cross(scaled(r, body.mass), known));
-    let omega_dot = body.inertia.about(body.mass, r).inverse().times(moment);
+    let omega_dot = solve(transferred(body.inertia, body.mass, r), moment);
     let force = scaled(plus(known, cross(r, omega_dot)), body.mass);
     Rolling { omega_dot, force }
 }

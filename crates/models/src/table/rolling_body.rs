@@ -3,7 +3,8 @@
 //! The equations are in `rolling.rs`, the body in `body.rs` (T, sections 4.1 to 4.4, and 6.3.1, "trop ambitieuse").
 
 use super::form::Form;
-use super::on_table::{Roller, Top};
+use super::roller::Roller;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.

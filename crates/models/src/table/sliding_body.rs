@@ -1,9 +1,11 @@
 //! Any convex body that slips on a plane with friction (T, section 6.5).
 //!
-//! The equations are in `sliding.rs`, the laws of friction in `friction.rs`. The table keeps the body: it does not lift off.
+//! The equations are in `sliding.rs`, the laws of friction in `friction.rs`, sliding, rolling and
+//! flight in `regimes.rs`.
 
 use super::form::Form;
-use super::on_table::{Slider, Top};
+use super::slider::Slider;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.

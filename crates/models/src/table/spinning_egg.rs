@@ -4,7 +4,8 @@
 //! Omega^2 = m g b (a^2 - b^2) / (I3 a^2 - I1 b^2): 5 g / b for a uniform one.
 
 use super::form::Form;
-use super::on_table::{Slider, Top};
+use super::slider::Slider;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.

@@ -4,7 +4,8 @@
 //! 1 - alpha^2 < I1/I3 < 1. Jellett's quantity is constant under any friction.
 
 use super::form::Form;
-use super::on_table::{Slider, Top};
+use super::slider::Slider;
+use super::top::Top;
 use precess_system::{Card, Parameter, card, number};
 
 /// See the module.
