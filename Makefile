@@ -8,7 +8,8 @@ CARGO_TARGET_DIR ?= target
 PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-arm clean cargo
+.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-python
+.PHONY: test-python-now test-arm clean cargo
 
 help:
 	@echo "make lab    build the lab and serve it to a browser on this machine"
@@ -77,6 +78,7 @@ node:
 test: cargo lint
 	$(CARGO) test --workspace
 	@$(MAKE) --no-print-directory test-web
+	@$(MAKE) --no-print-directory test-python
 	@$(MAKE) --no-print-directory test-arm
 
 lint: cargo
@@ -122,6 +124,29 @@ test-web-now: wasm web/node_modules/.package-lock.json
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --no-audit --no-fund && touch node_modules/.package-lock.json
+
+# The Python package, built as a wheel and installed into an environment of its own, then tested there.
+PYTHON ?= python3
+VENV = $(abspath $(CARGO_TARGET_DIR))/python-venv
+
+test-python:
+	@if ! $(PYTHON) -c 'import sys, ensurepip, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; then \
+	  echo "precess: the tests of the Python package are skipped, since they need Python 3.10 or later with venv" \
+	    "(Debian: python3-venv)" >&2; \
+	  test "$$PRECESS_REQUIRE_ALL" != 1; exit; \
+	fi; \
+	$(MAKE) --no-print-directory test-python-now
+
+test-python-now: cargo $(VENV)/installed
+	$(VENV)/bin/ruff format --check --quiet && $(VENV)/bin/ruff check --quiet
+	PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
+	$(VENV)/bin/mypy --cache-dir $(VENV)/mypy
+	$(VENV)/bin/python -m pytest -p no:cacheprovider
+
+$(VENV)/installed: python/requirements.txt
+	$(PYTHON) -m venv --clear $(VENV)
+	$(VENV)/bin/pip install --quiet --disable-pip-version-check -r python/requirements.txt
+	@touch $@
 
 # Exercise 7.5 in Node and Chromium beside the same work done natively, in rounds of POINTS x POINTS starts.
 ROUNDS = 7

@@ -1,8 +1,8 @@
 import { defineConfig } from "@playwright/test";
+import { chromium } from "./tools/chromium.js";
 
 const PORT = 4173;
 
-// Chromium with pictures computed in software, so that the tests need no graphics card.
 export default defineConfig({
   testDir: "e2e",
   timeout: 30_000,
@@ -12,19 +12,7 @@ export default defineConfig({
     baseURL: `http://127.0.0.1:${PORT}/`,
     locale: "en-GB",
     viewport: { width: 1280, height: 900 },
-    launchOptions: {
-      executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
-      args: [
-        "--no-sandbox",
-        "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader",
-        "--disable-background-networking",
-        "--disable-component-update",
-        "--disable-sync",
-        "--disable-quic",
-        "--no-first-run",
-      ],
-    },
+    launchOptions: chromium,
   },
   webServer: {
     command: `node node_modules/vite/bin/vite.js preview --host 127.0.0.1 --port ${PORT} --strictPort`,

@@ -16,7 +16,10 @@ const hashOf = (page: Page) => page.locator("[data-run]").getAttribute("data-run
 
 async function choose(page: Page, id: string): Promise<void> {
   const before = await hashOf(page);
-  await page.locator(`[data-system=${id}]`).click();
+  const button = page.locator(`[data-system=${id}]`);
+  // Its family may be folded.
+  await button.evaluate((node) => node.closest("details")?.setAttribute("open", ""));
+  await button.click();
   await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
 }
 

@@ -14,11 +14,11 @@ fn hex(bytes: impl AsRef<[u8]>) -> String {
 /// SHA-256 over the columns `t` and state as little-endian f64, row by row, every NaN the canonical one.
 pub fn hash(trajectory: &Trajectory) -> String {
     let width = trajectory.state_columns();
-    numbers(trajectory.rows().flat_map(|row| row[..width].iter().copied()))
+    hash_numbers(trajectory.rows().flat_map(|row| row[..width].iter().copied()))
 }
 
-/// SHA-256 of numbers.
-pub(crate) fn numbers(numbers: impl Iterator<Item = f64>) -> String {
+/// SHA-256 of numbers as little-endian f64, every NaN the canonical one.
+pub fn hash_numbers(numbers: impl Iterator<Item = f64>) -> String {
     let mut sha = Sha256::new();
     for x in numbers {
         let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };

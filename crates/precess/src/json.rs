@@ -73,6 +73,7 @@ pub fn system(system: &dyn AnySystem) -> Value {
     let latex = equations(system, Notation::Latex);
     json!({
         "id": card.id,
+        "family": system.family(),
         "title": text(&card.title),
         "about": text(&card.about),
         "source": card.source,

@@ -1,6 +1,6 @@
 //! What comes out of an ensemble.
 
-use crate::hash::numbers;
+use crate::hash::hash_numbers;
 use precess_integrate::Failure;
 
 /// What is kept of each member.
@@ -35,6 +35,6 @@ impl Members {
     /// SHA-256 of a member's times and states: the hash of the same run alone, where every sample is kept.
     pub fn hash(&self, k: usize) -> String {
         let rows = self.times.iter().zip(self.member(k).chunks(self.state));
-        numbers(rows.flat_map(|(&t, state)| std::iter::once(t).chain(state.iter().copied())))
+        hash_numbers(rows.flat_map(|(&t, state)| std::iter::once(t).chain(state.iter().copied())))
     }
 }

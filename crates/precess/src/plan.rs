@@ -1,9 +1,10 @@
 //! A plan: a scenario held against the cards, complete and ready to run.
 
 use crate::error::{Error, input, unknown};
-use crate::scenario::Scenario;
+use crate::family::{FamilyMember, members};
+use crate::scenario::{FigureSpec, Scenario};
 use crate::value::Value;
-use crate::{catalogue, resolve};
+use crate::{catalogue, panel, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
 use precess_system::{
     AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
@@ -38,17 +39,21 @@ pub struct Watch {
     pub stop: bool,
 }
 
-/// A panel of the picture: columns against a column.
+/// A panel of the picture, held against the run's quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelPlan {
-    /// Heading.
-    pub title: String,
-    /// Horizontal column.
-    pub x: usize,
-    /// Vertical columns.
-    pub y: Vec<usize>,
-    /// Both axes to the same scale.
-    pub equal_scales: bool,
+    /// As it was asked for.
+    pub spec: FigureSpec,
+    /// Range of the horizontal axis.
+    pub x_range: Option<(f64, f64)>,
+    /// Range of the vertical axis.
+    pub y_range: Option<(f64, f64)>,
+    /// Only this part of the time.
+    pub between: Option<(f64, f64)>,
+    /// Times that the panel asks for.
+    pub at: Vec<f64>,
+    /// Marked points of the plane.
+    pub marks: Vec<[f64; 2]>,
 }
 
 /// A run that is fully determined.
@@ -80,6 +85,10 @@ pub struct Plan {
     pub every: f64,
     /// Watched crossings.
     pub watches: Vec<Watch>,
+    /// Its name in legends; may be empty.
+    pub label: String,
+    /// Trajectories that are drawn beside it.
+    pub members: Vec<FamilyMember>,
     /// Panels of the picture, as the scenario gives them.
     pub panels: Vec<PanelPlan>,
 }
@@ -108,6 +117,8 @@ impl Plan {
             step: Step::Fixed(card.defaults.dt),
             options: Options::default(),
             watches: vec![],
+            label: scenario.label.clone(),
+            members: vec![],
             panels: vec![],
             system,
             card,
@@ -120,7 +131,8 @@ impl Plan {
         plan.check_method()?;
         plan.read_run(&scenario.run)?;
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
-        plan.panels = scenario.figures.iter().map(|f| resolve::panel(&plan, f)).collect::<Result<_, _>>()?;
+        plan.members = members(scenario)?;
+        plan.panels = scenario.figures.iter().map(|f| panel::panel(&plan, f)).collect::<Result<_, _>>()?;
         Ok(plan)
     }
 

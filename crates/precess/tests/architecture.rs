@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Each crate of ours and those of ours that it may depend on.
-const EDGES: [(&str, &[&str]); 10] = [
+const EDGES: [(&str, &[&str]); 11] = [
     ("precess-scalar", &[]),
     ("precess-system", &["precess-scalar"]),
     ("precess-models", &["precess-scalar", "precess-system"]),
@@ -19,6 +19,7 @@ const EDGES: [(&str, &[&str]); 10] = [
     ("precess-lab", &[]),
     ("precess-cli", &["precess", "precess-bench", "precess-lab"]),
     ("precess-wasm", &["precess"]),
+    ("precess-python", &["precess"]),
 ];
 
 /// The lines of `cargo tree` at depth one: what a crate depends on.

@@ -202,6 +202,8 @@ pub trait AnySystem:
 {
     /// See [`System::card`].
     fn card(&self) -> Card;
+    /// The folder in which the system's file lies (`pendulums`): what it stands with in a catalogue.
+    fn family(&self) -> &'static str;
     /// See [`System::layout`].
     fn layout(&self, values: &Values<f64>, given: &Given) -> Layout;
     /// The full state at the start: the card's, then what is given by name, then the modes.
@@ -216,6 +218,10 @@ pub trait AnySystem:
 impl<M: System> AnySystem for M {
     fn card(&self) -> Card {
         System::card(self)
+    }
+
+    fn family(&self) -> &'static str {
+        std::any::type_name::<M>().split("::").nth(1).unwrap_or_default()
     }
 
     fn period(&self, values: &Values<f64>) -> Option<f64> {

@@ -31,6 +31,8 @@ export type Observable = Quantity & ({ kind: "signal" } | { kind: "invariant"; w
 
 export interface System {
   id: string;
+  /** What it stands with: `tops`, `pendulums` ... */
+  family: string;
   title: Text;
   about: Text;
   source: string;
@@ -67,6 +69,9 @@ export interface Method {
 export interface Scenario {
   file: string;
   title: string;
+  title_fr: string;
+  /** What to notice. */
+  note: Text;
   /** The file itself (TOML). */
   text: string;
 }

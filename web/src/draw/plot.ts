@@ -2,6 +2,7 @@
 
 import { shown, type Language } from "../lab/number";
 import { DASHES, prepare, type Ink } from "./ink";
+import type { Brush } from "./svg";
 import { rangeOf, ticks } from "./ticks";
 
 export interface Curve {
@@ -55,14 +56,11 @@ function frameOf(plot: Plot, w: number, h: number, snug: boolean): Frame {
 
 /** Draws all that does not move. */
 export function drawPlot(
-  canvas: HTMLCanvasElement,
+  { pen, w, h }: { pen: Brush; w: number; h: number },
   plot: Plot,
   ink: Ink,
   language: Language,
-): Frame | undefined {
-  const ready = prepare(canvas);
-  if (!ready) return undefined;
-  const { pen, w, h } = ready;
+): Frame {
   const byTime = plot.x.startsWith("t ") || plot.x === "t";
   const f = frameOf(plot, w, h, byTime);
   pen.font = `12px ${ink.font}`;
@@ -99,13 +97,7 @@ export function drawPlot(
   return f;
 }
 
-function millimetres(
-  pen: CanvasRenderingContext2D,
-  f: Frame,
-  across: number[],
-  up: number[],
-  ink: Ink,
-): void {
+function millimetres(pen: Brush, f: Frame, across: number[], up: number[], ink: Ink): void {
   pen.strokeStyle = ink.grid;
   const lines = (
     at: number[],
@@ -152,7 +144,7 @@ function millimetres(
 }
 
 /** A curve against time is thinned to its lowest and highest point in each column of pixels. */
-function trace(pen: CanvasRenderingContext2D, f: Frame, { x, y }: Curve, byTime: boolean): void {
+function trace(pen: Brush, f: Frame, { x, y }: Curve, byTime: boolean): void {
   const each = byTime ? Math.max(1, Math.floor(x.length / ((f.right - f.left) * 2))) : 1;
   pen.beginPath();
   let down = false;

@@ -1,7 +1,13 @@
 // The arithmetic of the time bar. Whatever is shown is a sample of the run; nothing in between is made up.
 
 /** How fast the clock may run: seconds of the run in a second of the viewer. */
-export const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10] as const;
+export const SPEEDS = [0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100] as const;
+
+/** The slowest of these, real time at the least, that shows a run within a minute. */
+export function pace(times: Float64Array): number {
+  const length = Math.abs((times.at(-1) ?? 0) - (times[0] ?? 0));
+  return SPEEDS.find((speed) => speed >= 1 && length / speed <= 60) ?? SPEEDS[SPEEDS.length - 1] ?? 1;
+}
 
 /** The last sample that is not after a time; runs may go backwards. */
 export function sampleAt(times: Float64Array, t: number): number {

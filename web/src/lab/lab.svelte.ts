@@ -1,15 +1,15 @@
 // The state of the lab: a list of scenarios (so that everything can be undone), the run of the one at hand, the clock.
 
-import type { Catalogue, Method, System } from "../core";
+import type { Catalogue, Method, Scenario as Preset, System } from "../core";
 import first from "../first.toml?raw";
 import { WORDS } from "../words";
-import { advance, sampleAt } from "./clock";
+import { advance, pace, sampleAt } from "./clock";
 import { decode, encode } from "./link";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
 import { Cancelled, Refusal, Runner } from "./runner";
 import { blame, by, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
-import { scenarioOf } from "./toml";
+import { scenarioOf, systemIn } from "./toml";
 
 export type Theme = "auto" | "light" | "dark";
 
@@ -208,6 +208,7 @@ export class Lab {
       if (scenario !== this.scenario) return;
       this.look = new Look({ ...done, scenario });
       this.refusal = undefined;
+      if (fresh) this.speed = pace(this.look.times);
       const ends = [this.look.times[0] ?? 0, this.look.times.at(-1) ?? 0];
       if (fresh || this.t < Math.min(...ends) || this.t > Math.max(...ends)) this.t = ends[0] ?? 0;
       void this.#compare(this.rivals.map(({ method }) => method));
@@ -284,8 +285,18 @@ export class Lab {
   /** What a scenario is called: its own title, or its system's. */
   titleOf(scenario: Scenario | undefined): string {
     const system = scenario && systemOf(this.catalogue, scenario);
+    const preset = scenario && this.presetOf(scenario);
+    if (preset) return this.presetTitle(preset);
     if (scenario?.title) return scenario.title;
     return system ? this.say(system.title) : "";
+  }
+  /** The scenario of the program's own that one was made from, told by its title. */
+  presetOf({ title, system }: Scenario): Preset | undefined {
+    const found = title ? this.catalogue.scenarios.find((preset) => preset.title === title) : undefined;
+    return found && systemIn(found.text) === system ? found : undefined;
+  }
+  presetTitle(preset: Preset): string {
+    return (this.language === "fr" && preset.title_fr) || preset.title;
   }
 
   /** A sentence that says what is shown, to be read aloud. */

@@ -44,6 +44,15 @@ export function scenarioOf(text: string): Scenario {
   };
 }
 
+/** The system of a scenario file; empty where it is not understood. */
+export function systemIn(text: string): string {
+  try {
+    return scenarioOf(text).system;
+  } catch {
+    return "";
+  }
+}
+
 function descend(table: Map<string, Value>, path: string[]): Map<string, Value> {
   for (const name of path) {
     const next = table.get(name) ?? new Map<string, Value>();

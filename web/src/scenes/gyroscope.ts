@@ -4,9 +4,11 @@ import { turnOf, type Solid } from "./kit/scene";
 /** The cone that stands on its tip and whose centre of mass is at d: it is 4/3 d high. */
 const height = (look: Look) => (4 / 3) * Math.abs(look.parameter("d")) || 1;
 
+const stands = (look: Look) => Math.min(...look.column("axis_z")) > 0.3;
+
 const scene: Solid = {
   kind: "solid",
-  size: height,
+  size: (look) => (stands(look) ? 1 : 1.2) * height(look),
   body(look) {
     const h = height(look);
     const profile: [number, number][] = [
@@ -38,8 +40,8 @@ const scene: Solid = {
     return [r * look.at("axis_x", k), r * look.at("axis_y", k), r * look.at("axis_z", k)];
   },
   sphere: (look) => height(look) * 1.2,
-  // A top that sinks below its support turns in gimbals: there the table lies out of its way.
-  table: (look) => (Math.min(...look.column("axis_z")) > 0.3 ? 0 : -height(look) * 1.3),
-  centre: (look) => [0, 0, Math.min(...look.column("axis_z")) > 0.3 ? height(look) * 0.5 : 0],
+  // A top that sinks towards its support turns in gimbals, above no table.
+  table: (look) => (stands(look) ? 0 : undefined),
+  centre: (look) => [0, 0, stands(look) ? height(look) * 0.5 : 0],
 };
 export default scene;

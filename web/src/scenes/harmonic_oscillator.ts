@@ -1,26 +1,13 @@
 import type { Flat } from "./kit/scene";
 
-const COILS = 12;
-
 const scene: Flat = {
   kind: "flat",
-  reach: (look) => look.reach("x") * 1.3,
+  reach: (look) => [look.reach("x") * 1.5, look.reach("x") * 0.55],
   draw(pen, look, sample) {
     const reach = look.reach("x") || 1;
     const x = look.at("x", sample);
     const wall = -1.45 * reach;
-    const end = x - 0.1 * reach;
-    const coil = (k: number): [number, number] => [
-      wall + ((end - wall) * (k + 0.5)) / (2 * COILS),
-      (k % 2 ? 0.09 : -0.09) * reach,
-    ];
-    pen.line(
-      [
-        [wall, -0.3 * reach],
-        [wall, 0.3 * reach],
-      ],
-      2,
-    );
+    pen.wall(0.3 * reach, wall);
     pen.line(
       [
         [wall, -0.16 * reach],
@@ -36,7 +23,7 @@ const scene: Flat = {
       1,
       pen.ink.faint,
     );
-    pen.line([[wall, 0], ...Array.from({ length: 2 * COILS }, (_, k) => coil(k)), [end, 0]], 1.6);
+    pen.spring([wall, 0], [x - 0.14 * reach, 0], 0.09 * reach);
     pen.box(x, 0, 0.14 * reach, 1);
   },
   drag: (_look, _sample, x) => ({ x, x_dot: 0 }),

@@ -5,6 +5,14 @@ export const en = {
   opening: "The core is being loaded …",
   noCore: "The core could not be loaded, so nothing can be computed here:",
   catalogue: "Systems",
+  families: {
+    tops: "Tops and free bodies",
+    pendulums: "Pendulums",
+    oscillators: "Oscillators",
+    waterwheels: "Waterwheels and Lorenz",
+    gravity: "Gravity",
+  } as Record<string, string>,
+  ofScenario: "What to notice",
   search: "Search",
   nothingFound: "Nothing goes by that name.",
   presets: "Scenarios",
@@ -77,7 +85,6 @@ export const en = {
   hint: "Drag to look around",
   hintDrag: "Drag to start elsewhere",
   keys: "Space plays, the arrows step, R turns time round, F forks, D describes, Ctrl+Z undoes",
-  noScene: "This system has no scene; its graphs show it.",
   noWebgl: "This browser shows no 3D pictures; the graphs below show the motion.",
   skip: "Skip to the time bar",
 };

@@ -5,6 +5,14 @@ export const fr: Words = {
   opening: "Chargement du noyau de calcul…",
   noCore: "Le noyau de calcul n'a pas pu être chargé, rien ne peut être calculé ici :",
   catalogue: "Systèmes",
+  families: {
+    tops: "Toupies et solides libres",
+    pendulums: "Pendules",
+    oscillators: "Oscillateurs",
+    waterwheels: "Roues à eau et Lorenz",
+    gravity: "Gravitation",
+  },
+  ofScenario: "À remarquer",
   search: "Chercher",
   nothingFound: "Rien ne porte ce nom.",
   presets: "Scénarios",
@@ -77,7 +85,6 @@ export const fr: Words = {
   hint: "Glissez pour tourner autour",
   hintDrag: "Glissez pour partir d'ailleurs",
   keys: "Espace : lecture ; flèches : pas à pas ; R : à rebours ; F : repartir d'ici ; D : décrire ; Ctrl+Z : annuler",
-  noScene: "Ce système n'a pas de scène ; ses graphiques le montrent.",
   noWebgl: "Ce navigateur n'affiche pas d'images 3D ; les graphiques ci-dessous montrent le mouvement.",
   skip: "Aller à la barre de temps",
 };

@@ -1,45 +1,72 @@
 // Draws the shapes of flat scenes as an engraver would: lines of ink, one colour for what moves.
 
 import type { Ink } from "../../draw/ink";
+import type { Brush } from "../../draw/svg";
 import type { Look } from "../../lab/result";
 
+export type Point = [x: number, y: number];
+
 export class Pen {
-  readonly #pen: CanvasRenderingContext2D;
+  readonly #pen: Brush;
   readonly #scale: number;
   readonly #w: number;
   readonly #h: number;
+  readonly #centre: Point;
   readonly ink: Ink;
 
-  constructor(pen: CanvasRenderingContext2D, w: number, h: number, reach: number, ink: Ink) {
+  constructor(pen: Brush, w: number, h: number, reach: number | Point, ink: Ink, centre: Point = [0, 0]) {
     this.#pen = pen;
     this.#w = w;
     this.#h = h;
-    this.#scale = Math.min(w, h) / 2 / (reach * 1.15 || 1);
+    const [across, up] = typeof reach === "number" ? [reach, reach] : reach;
+    this.#scale = Math.min(w / (across || 1), h / (up || 1)) / 2.3;
+    this.#centre = centre;
     this.ink = ink;
     pen.lineCap = "round";
     pen.lineJoin = "round";
   }
 
   x(x: number): number {
-    return this.#w / 2 + x * this.#scale;
+    return this.#w / 2 + (x - this.#centre[0]) * this.#scale;
   }
   y(y: number): number {
-    return this.#h / 2 - y * this.#scale;
+    return this.#h / 2 - (y - this.#centre[1]) * this.#scale;
   }
   /** From pixels to lengths. */
-  place(px: number, py: number): [number, number] {
-    return [(px - this.#w / 2) / this.#scale, (this.#h / 2 - py) / this.#scale];
+  place(px: number, py: number): Point {
+    return [
+      (px - this.#w / 2) / this.#scale + this.#centre[0],
+      (this.#h / 2 - py) / this.#scale + this.#centre[1],
+    ];
+  }
+  /** How far the picture reaches to each side. */
+  get half(): number {
+    return this.#w / 2 / this.#scale;
   }
 
-  line(points: [number, number][], width = 1.5, colour = this.ink.ink, dash: number[] = []): void {
+  #path(points: readonly Point[]): void {
+    this.#pen.beginPath();
+    for (const [x, y] of points) this.#pen.lineTo(this.x(x), this.y(y));
+  }
+
+  line(points: readonly Point[], width = 1.5, colour = this.ink.ink, dash: number[] = []): void {
     const pen = this.#pen;
-    pen.beginPath();
-    for (const [x, y] of points) pen.lineTo(this.x(x), this.y(y));
+    this.#path(points);
     pen.strokeStyle = colour;
     pen.lineWidth = width;
     pen.setLineDash(dash);
     pen.stroke();
     pen.setLineDash([]);
+  }
+
+  /** A surface, as strong as `alpha` says. */
+  area(points: readonly Point[], colour = this.ink.ink, alpha = 1): void {
+    const pen = this.#pen;
+    this.#path(points);
+    pen.globalAlpha = alpha;
+    pen.fillStyle = colour;
+    pen.fill();
+    pen.globalAlpha = 1;
   }
 
   /** A ball, shaded by a lighter spot; the radius is in pixels. */
@@ -64,12 +91,59 @@ export class Pen {
     pen.stroke();
   }
 
-  /** A wall or ceiling, hatched as in old plates. */
-  ceiling(half: number, y: number): void {
+  /** An arrow from a point by a vector; none where that is shorter than a few pixels. */
+  arrow([x, y]: Point, [dx, dy]: Point, colour = this.ink.accent, width = 2.5): void {
+    const length = Math.hypot(dx, dy) * this.#scale;
+    if (!(length > 3)) return;
+    const head = Math.min(11, length * 0.6) / length;
+    const [ux, uy] = [dx * head, dy * head];
     this.line(
       [
-        [-half, y],
-        [half, y],
+        [x, y],
+        [x + dx - 0.7 * ux, y + dy - 0.7 * uy],
+      ],
+      width,
+      colour,
+    );
+    this.area(
+      [
+        [x + dx, y + dy],
+        [x + dx - ux - 0.45 * uy, y + dy - uy + 0.45 * ux],
+        [x + dx - ux + 0.45 * uy, y + dy - uy - 0.45 * ux],
+      ],
+      colour,
+    );
+  }
+
+  /** An arrow along a circle, by an angle from the upward direction, clockwise where it is positive. */
+  turning([x, y]: Point, radius: number, from: number, angle: number, colour = this.ink.accent): void {
+    const at = (a: number): Point => [x + radius * Math.sin(a), y + radius * Math.cos(a)];
+    const steps = Array.from({ length: 33 }, (_, k) => at(from + (angle * k) / 32));
+    this.line(steps, 2.5, colour);
+    const [end, before] = [at(from + angle), at(from + angle - Math.sign(angle) * 0.2)];
+    if (Math.abs(angle) > 0.1) this.arrow(before, [end[0] - before[0], end[1] - before[1]], colour);
+  }
+
+  /** A spring between two points. */
+  spring([ax, ay]: Point, [bx, by]: Point, half: number, coils = 12): void {
+    const length = Math.hypot(bx - ax, by - ay) || 1;
+    const [ux, uy] = [(bx - ax) / length, (by - ay) / length];
+    const at = (share: number, side: number): Point => [
+      ax + (bx - ax) * share - uy * side * half,
+      ay + (by - ay) * share + ux * side * half,
+    ];
+    const middle = Array.from({ length: 2 * coils }, (_, k) =>
+      at(0.08 + (0.84 * (k + 0.5)) / (2 * coils), k % 2 ? 1 : -1),
+    );
+    this.line([[ax, ay], at(0.08, 0), ...middle, at(0.92, 0), [bx, by]], 1.6);
+  }
+
+  /** A wall or ceiling, hatched as in old plates; `side` says on which side of it one cannot be. */
+  ceiling(half: number, y: number, x = 0, side: 1 | -1 = 1): void {
+    this.line(
+      [
+        [x - half, y],
+        [x + half, y],
       ],
       1.5,
     );
@@ -77,8 +151,27 @@ export class Pen {
     for (let k = -8; k < 8; k++)
       this.line(
         [
-          [k * step, y],
-          [(k + 1) * step, y + step],
+          [x + k * step, y],
+          [x + (k + 1) * step, y + side * step],
+        ],
+        0.7,
+        this.ink.faint,
+      );
+  }
+  wall(half: number, x: number, y = 0): void {
+    this.line(
+      [
+        [x, y - half],
+        [x, y + half],
+      ],
+      1.5,
+    );
+    const step = half / 8;
+    for (let k = -8; k < 8; k++)
+      this.line(
+        [
+          [x, y + k * step],
+          [x - step, y + (k + 1) * step],
         ],
         0.7,
         this.ink.faint,
@@ -99,6 +192,16 @@ export class Pen {
     pen.strokeStyle = this.ink.ink;
     pen.lineWidth = 1.8;
     pen.stroke();
+  }
+
+  /** A few letters beside a point. */
+  letter(x: number, y: number, text: string, colour = this.ink.faint): void {
+    const pen = this.#pen;
+    pen.font = `italic 15px ${this.ink.font}`;
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    pen.fillStyle = colour;
+    pen.fillText(text, this.x(x), this.y(y));
   }
 
   /** The path up to a sample, fading with its age. */
@@ -124,34 +227,44 @@ export class Pen {
     }
     pen.globalAlpha = 1;
   }
+  /** The path of a point whose coordinates are two columns. */
+  path(look: Look, x: string, y: string, sample: number, colour = this.ink.accent): void {
+    this.trail(
+      look,
+      (k) => look.at(x, k),
+      (k) => look.at(y, k),
+      sample,
+      colour,
+    );
+  }
 
   /** A mass seen from above: where it came from, the thread to the centre, the mass. */
   bob(look: Look, sample: number, radius: number, width: number, thread = this.ink.ink): void {
-    const at = (k: number): [number, number] => [look.at("x", k), look.at("y", k)];
-    this.trail(
-      look,
-      (k) => at(k)[0],
-      (k) => at(k)[1],
-      sample,
-    );
-    this.line([[0, 0], at(sample)], width, thread);
-    this.ball(...at(sample), radius);
+    this.path(look, "x", "y", sample);
+    const at: Point = [look.at("x", sample), look.at("y", sample)];
+    this.line([[0, 0], at], width, thread);
+    this.ball(...at, radius);
   }
 
   /** The centre of a figure: two thin lines, `half` long to each side. */
   cross(half: number, width: number, dash: number[] = []): void {
-    for (const [x, y] of [
-      [half, 0],
-      [0, half],
-    ] as const)
-      this.line(
-        [
-          [-x, -y],
-          [x, y],
-        ],
-        width,
-        this.ink.faint,
-        dash,
-      );
+    this.line(
+      [
+        [-half, 0],
+        [half, 0],
+      ],
+      width,
+      this.ink.faint,
+      dash,
+    );
+    this.line(
+      [
+        [0, -half],
+        [0, half],
+      ],
+      width,
+      this.ink.faint,
+      dash,
+    );
   }
 }

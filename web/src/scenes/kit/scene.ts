@@ -2,13 +2,15 @@
 
 import type { Ink } from "../../draw/ink";
 import type { Look } from "../../lab/result";
-import type { Pen } from "./pen";
+import type { Pen, Point } from "./pen";
 
 /** A flat scene, in the system's own lengths. */
 export interface Flat {
   kind: "flat";
-  /** Half the width that must be seen about the middle. */
-  reach: (look: Look) => number;
+  /** How far must be seen about the middle, to each side: the same across and upwards where it is one number. */
+  reach: (look: Look) => number | Point;
+  /** The middle, where it is not the origin. */
+  centre?: (look: Look) => Point;
   draw: (pen: Pen, look: Look, sample: number) => void;
   /** What the start becomes where a person drags to a place. */
   drag?: (look: Look, sample: number, x: number, y: number) => Record<string, number>;
@@ -19,7 +21,7 @@ export type Place = [number, number, number];
 /** A turn as a quaternion (x, y, z, w). */
 export type Turn = [number, number, number, number];
 
-/** A solid scene: what the body is made of is said by `solids.ts`. */
+/** A solid scene. */
 export interface Solid {
   kind: "solid";
   /** The size of everything; the camera stands at several times it. */
@@ -31,21 +33,34 @@ export interface Solid {
   /** Radius of a thin sphere about the origin on which the trace lies; none where zero. */
   sphere?: (look: Look) => number;
   /** Height of the table; none where absent. */
-  table?: (look: Look) => number;
+  table?: (look: Look) => number | undefined;
   /** The camera goes with the body, and the table with the camera. */
   follow?: boolean;
   /** Where the camera looks. */
   centre?: (look: Look) => Place;
+  /** From where it looks first: round about the vertical, up from the horizon. */
+  from?: { round: number; up: number };
 }
 
 /** A part of a body, in body axes, z along axis 3. */
 export type Piece =
   | { shape: "turned"; profile: [radius: number, z: number][]; colour: "ink" | "accent" | "brass" }
-  | { shape: "box"; size: Place; colour: "ink" | "accent" | "brass" }
+  | { shape: "box"; size: Place; at?: Place; colour: "ink" | "accent" | "brass" }
+  | { shape: "rod"; from: Place; to: Place; radius: number; colour: "ink" | "accent" | "brass" }
+  /** The surface of a convex body: the point whose outward normal is given. */
+  | { shape: "convex"; surface: (normal: Place) => Place; colour: "ink" | "accent" | "brass" }
   | { shape: "stripe"; profile: [radius: number, z: number][] };
 
 export type Scene = Flat | Solid;
 export type { Ink };
+
+/** A ball of some radius, as a profile. */
+export function ballProfile(radius: number, z = 0): [number, number][] {
+  return Array.from({ length: 25 }, (_, k): [number, number] => {
+    const angle = (k / 24) * Math.PI;
+    return [radius * Math.sin(angle), z - radius * Math.cos(angle)];
+  });
+}
 
 /** T's Euler angles R = Rz(psi) Rx(theta) Rz(phi) as a quaternion: geometry, no mechanics. */
 export function turnOf(psi: number, theta: number, phi: number): Turn {

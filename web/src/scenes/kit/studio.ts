@@ -7,6 +7,7 @@ import {
   BufferGeometry,
   CircleGeometry,
   Color,
+  CylinderGeometry,
   DirectionalLight,
   DoubleSide,
   EdgesGeometry,
@@ -25,12 +26,16 @@ import {
   ShadowMaterial,
   SphereGeometry,
   Vector2,
+  Vector3,
   WebGLRenderer,
   type Object3D,
 } from "three";
 import type { Ink } from "../../draw/ink";
 import type { Look } from "../../lab/result";
 import type { Piece, Place, Solid } from "./scene";
+
+/** The table's radius, in sizes: it fits into the picture. */
+const TABLE = 1.2;
 
 export class Studio {
   readonly #renderer: WebGLRenderer;
@@ -48,7 +53,7 @@ export class Studio {
   /** Where the camera stands: round, up, how far (in sizes). */
   round = -0.9;
   up = 0.36;
-  far = 3.9;
+  far = 4.3;
 
   constructor(canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -60,6 +65,7 @@ export class Studio {
   /** Builds everything for a run; the shapes are scaled so that the whole is of size one. */
   build(solid: Solid, look: Look, ink: Ink): void {
     this.#clear();
+    if (solid !== this.#solid && solid.from) [this.round, this.up] = [solid.from.round, solid.from.up];
     const { size } = solid;
     [this.#solid, this.#look, this.#size] = [solid, look, size(look) || 1];
     this.#centre = this.#scaled(solid.centre?.(look) ?? [0, 0, 0]);
@@ -78,7 +84,8 @@ export class Studio {
     this.#ground = new Group();
     this.#ground.add(sun, sun.target);
     scene.add(this.#ground);
-    if (solid.table) this.#table(this.#ground, solid.table(look) / this.#size, ink);
+    const table = solid.table?.(look);
+    if (table !== undefined) this.#table(this.#ground, table / this.#size, ink);
     if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, ink);
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
@@ -94,11 +101,11 @@ export class Studio {
   #table(ground: Group, z: number, ink: Ink): void {
     const [x, y] = this.#centre;
     const top = new Mesh(
-      new CircleGeometry(1.6, 96),
+      new CircleGeometry(TABLE, 96),
       new MeshBasicMaterial({ color: ink.dark ? 0x18223a : 0xf1eee3 }),
     );
     const shadow = new Mesh(
-      new CircleGeometry(1.6, 96),
+      new CircleGeometry(TABLE, 96),
       new ShadowMaterial({ opacity: ink.dark ? 0.5 : 0.28 }),
     );
     top.position.set(x, y, z - 0.004);
@@ -106,7 +113,7 @@ export class Studio {
     shadow.receiveShadow = true;
     ground.add(top, shadow);
     // Rings would seem to rest where the table goes along.
-    const rings = this.#solid?.follow ? [1.6] : [0.4, 0.8, 1.2, 1.6];
+    const rings = (this.#solid?.follow ? [1] : [0.25, 0.5, 0.75, 1]).map((share) => share * TABLE);
     for (const radius of rings) ground.add(ring(radius, [x, y, z], ink));
   }
 
@@ -125,12 +132,27 @@ export class Studio {
   #piece(piece: Piece, ink: Ink): Object3D[] {
     if (piece.shape === "box") {
       const box = new BoxGeometry(...this.#scaled(piece.size));
+      box.translate(...this.#scaled(piece.at ?? [0, 0, 0]));
       const edges = new LineSegments(
         new EdgesGeometry(box),
         new LineBasicMaterial({ color: ink.dark ? 0xffffff : 0x000000 }),
       );
       return [this.#solidOf(box, piece.colour, ink), edges];
     }
+    if (piece.shape === "rod") {
+      const [from, to] = [piece.from, piece.to].map((end) => new Vector3(...this.#scaled(end)));
+      if (!from || !to || from.distanceTo(to) === 0) return [];
+      const radius = piece.radius / this.#size;
+      const rod = this.#solidOf(
+        new CylinderGeometry(radius, radius, from.distanceTo(to), 16),
+        piece.colour,
+        ink,
+      );
+      rod.position.copy(from).add(to).multiplyScalar(0.5);
+      rod.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), to.sub(from).normalize());
+      return [rod];
+    }
+    if (piece.shape === "convex") return this.#convex(piece, ink);
     const stripe = piece.shape === "stripe";
     const points = piece.profile.map(
       ([r, z]) => new Vector2((r / this.#size) * (stripe ? 1.006 : 1), z / this.#size),
@@ -145,6 +167,23 @@ export class Studio {
       if (stripe) this.#stripes.push(mesh);
       return mesh;
     });
+  }
+
+  /** A convex body, with every fourth sector marked so that its spin can be seen. */
+  #convex({ surface, colour }: Extract<Piece, { shape: "convex" }>, ink: Ink): Object3D[] {
+    const part = (from: number, angle: number, paint: "ink" | "accent" | "brass", out: number) => {
+      const sphere = new SphereGeometry(1, 96, 64, from, angle);
+      const points = sphere.getAttribute("position");
+      for (let k = 0; k < points.count; k++) {
+        const [x, y, z] = this.#scaled(surface([points.getX(k), points.getY(k), points.getZ(k)]));
+        points.setXYZ(k, x * out, y * out, z * out);
+      }
+      sphere.computeVertexNormals();
+      return this.#solidOf(sphere, paint, ink);
+    };
+    const marks = [0, 1].map((k) => part(k * Math.PI - 0.12, 0.24, "accent", 1.004));
+    this.#stripes.push(...marks);
+    return [part(0, 2 * Math.PI, colour, 1), ...marks];
   }
 
   #solidOf(geometry: BufferGeometry, colour: "ink" | "accent" | "brass", ink: Ink): Mesh {

@@ -1,0 +1,89 @@
+"""The extension module: what it says is in crates/python."""
+
+from collections.abc import Callable
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import Self
+
+Floats: TypeAlias = NDArray[np.float64]
+
+class InputError(ValueError):
+    """What was asked for makes no sense: what, where, the nearest right thing."""
+
+class RunError(RuntimeError):
+    """A run ended before its time: what happened, when, what to try."""
+
+    trajectory: Any
+
+def version() -> str: ...
+def system_ids() -> list[str]: ...
+def system_card(id: str) -> str: ...  # noqa: A002
+def system_equations(id: str) -> list[tuple[str, str]]: ...  # noqa: A002
+def method_cards() -> str: ...
+def scenario_texts() -> list[tuple[str, str]]: ...
+def unknown(what: str, name: str, names: list[str]) -> str: ...
+def hash(numbers: Floats) -> str: ...  # noqa: A001
+
+class Plan:
+    """A run that is fully determined."""
+
+    system: str
+    title: str
+    method: str
+    until: float
+    every: float
+    step: list[tuple[str, float]]
+    parameters: dict[str, object]
+    start: list[tuple[str, float]]
+    columns: list[tuple[str, str, str, str]]
+
+    def __new__(
+        cls,
+        system: str,
+        parameters: dict[str, object],
+        start: dict[str, object],
+        method: str | None,
+        run: dict[str, object],
+        events: list[tuple[str | None, str, str | None, bool]],
+        title: str,
+    ) -> Self: ...
+    @staticmethod
+    def parse(text: str) -> Plan: ...
+    def changed(
+        self,
+        parameters: dict[str, object],
+        start: dict[str, object],
+        method: str | None,
+        run: dict[str, object],
+    ) -> Plan: ...
+    def toml(self) -> str: ...
+    def run(self, progress: Callable[[float], object] | None = None) -> Outcome: ...
+    def ensemble(
+        self,
+        names: list[str],
+        values: Floats,
+        samples: bool,
+        threads: int | None = None,
+        progress: Callable[[float], object] | None = None,
+    ) -> Members: ...
+
+class Outcome:
+    """What came out of a run."""
+
+    numbers: Floats
+    columns: list[tuple[str, str, str]]
+    events: list[tuple[str, float, list[float]]]
+    drifts: list[tuple[str, str, float, float, float | None]]
+    scenario: tuple[str, str]
+    counts: tuple[int, int, int]
+    stopped_by: str | None
+    failure: str | None
+
+class Members:
+    """What came out of an ensemble."""
+
+    times: Floats
+    numbers: Floats
+    failures: list[tuple[int, str]]

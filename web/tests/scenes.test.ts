@@ -1,0 +1,153 @@
+import { expect, test } from "vitest";
+import { SvgBrush } from "../src/draw/svg";
+import type { Ink } from "../src/draw/ink";
+import { Look } from "../src/lab/result";
+import { fresh, toml } from "../src/lab/scenario";
+import { potential } from "../src/scenes/henon_heiles";
+import { road } from "../src/scenes/car_suspension";
+import { wire } from "../src/scenes/bead_on_curve";
+import { chain } from "../src/scenes/n_pendulum";
+import { Pen } from "../src/scenes/kit/pen";
+import type { Place, Scene, Turn } from "../src/scenes/kit/scene";
+import { axis, usual } from "../src/scenes/kit/usual";
+import { polynomial } from "../src/scenes/kit/landscape";
+import { load } from "./builds";
+
+const core = await load("precess");
+const { systems, scenarios } = core.catalogue();
+const files = import.meta.glob<{ default: Scene }>("../src/scenes/*.ts", { eager: true });
+const pictures = Object.keys(import.meta.glob("../src/thumbnails/*.webp"));
+const sceneOf = (id: string) => files[`../src/scenes/${id}.ts`]?.default;
+
+const ink: Ink = {
+  paper: "#fff",
+  ink: "#000",
+  faint: "#888",
+  grid: "#eee",
+  accent: "#f00",
+  curves: ["#001", "#002", "#003", "#004", "#005"],
+  dark: false,
+  font: "serif",
+};
+
+function lookAt(text: string): Look {
+  const run = core.run(text);
+  const { rows, columns } = run.report;
+  const numbers = Float64Array.from({ length: rows * columns.length }, (_, at) => {
+    return run.numbers[(at % rows) * columns.length + Math.floor(at / rows)] ?? NaN;
+  });
+  const result = { scenario: fresh(systemOf("pendulum")), report: run.report, hash: "", events: [], numbers };
+  run.free();
+  return new Look(result);
+}
+function systemOf(id: string) {
+  const system = systems.find((one) => one.id === id);
+  if (!system) throw new Error(id);
+  return system;
+}
+const usualRun = (id: string) => lookAt(toml(fresh(systemOf(id))));
+
+function turned([x, y, z, w]: Turn, v: Place): Place {
+  const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])] as const;
+  return [
+    v[0] + w * t[0] + y * t[2] - z * t[1],
+    v[1] + w * t[1] + z * t[0] - x * t[2],
+    v[2] + w * t[2] + x * t[1] - y * t[0],
+  ];
+}
+
+/** Draws a flat scene as SVG; a number that is none would stand in it. */
+function drawn(scene: Extract<Scene, { kind: "flat" }>, look: Look, sample: number): string {
+  const brush = new SvgBrush();
+  scene.draw(new Pen(brush, 600, 400, scene.reach(look), ink, scene.centre?.(look)), look, sample);
+  return brush.elements;
+}
+
+test("every scene and every picture belongs to a system", () => {
+  const ids = systems.map(({ id }) => id);
+  const named = (path: string) => path.replace(/.*\/|\.\w+$/g, "");
+  for (const path of [...Object.keys(files), ...pictures]) expect(ids).toContain(named(path));
+});
+
+test.each(systems.map(({ id }) => id))("%s is drawn, moves, and is drawn by the usual scene too", (id) => {
+  const look = usualRun(id);
+  const last = look.times.length - 1;
+  for (const scene of [sceneOf(id), usual(look)]) {
+    if (!scene) continue;
+    const [one, other] = [Math.round(last * 0.2), Math.round(last * 0.63)];
+    if (scene.kind === "flat") {
+      const drawings = [0, one, other, last].map((sample) => drawn(scene, look, sample));
+      for (const drawing of drawings) {
+        expect(drawing).toContain("<path");
+        expect(drawing).not.toMatch(/NaN|Infinity|undefined/);
+      }
+      expect(drawings[1]).not.toBe(drawings[2]);
+      continue;
+    }
+    expect(scene.size(look)).toBeGreaterThan(0);
+    expect(scene.body(look).length).toBeGreaterThan(0);
+    for (const sample of [0, one, other, last]) {
+      const { place, turn } = scene.pose(look, sample);
+      for (const x of [...place, ...turn, ...scene.trace(look, sample)]) expect(x).toSatisfy(Number.isFinite);
+      // A run keeps the length of a quaternion to its tolerance.
+      expect(Math.hypot(...turn)).toBeCloseTo(1, 5);
+    }
+    expect(scene.pose(look, one)).not.toEqual(scene.pose(look, other));
+  }
+});
+
+test.each(scenarios.map(({ file, text }) => ({ file, text })))("$file is drawn", ({ text }) => {
+  const look = lookAt(text);
+  const id = look.whole.system;
+  const scene = sceneOf(id) ?? usual(look);
+  if (scene.kind === "flat") expect(drawn(scene, look, look.times.length >> 1)).not.toMatch(/NaN|Infinity/);
+  else expect(scene.size(look)).toBeGreaterThan(0);
+});
+
+/** Largest difference over a run between what a scene draws and what the core computed. */
+function difference(look: Look, name: string, drawn: (k: number) => number): number {
+  return look.column(name).reduce((worst, x, k) => Math.max(worst, Math.abs(x - drawn(k))), 0);
+}
+
+test("the shapes are the core's own", () => {
+  const well = usualRun("potential_well");
+  const u = polynomial(well.list("u").map(([c = 0]) => c));
+  expect(difference(well, "potential", (k) => u(well.at("x", k)))).toBeLessThan(1e-14);
+  const cubic = usualRun("cubic_well");
+  expect(
+    difference(cubic, "potential", (k) => polynomial([0, 0, 1 / 2, -1 / 3])(cubic.at("x", k))),
+  ).toBeLessThan(1e-14);
+  const duffing = usualRun("duffing");
+  const valleys = polynomial([0, 0, duffing.parameter("alpha") / 2, 0, duffing.parameter("beta") / 4]);
+  expect(difference(duffing, "potential", (k) => valleys(duffing.at("x", k)))).toBeLessThan(1e-14);
+  const bead = usualRun("bead_on_curve");
+  expect(difference(bead, "y", (k) => wire(bead)(bead.at("x", k)))).toBeLessThan(1e-13);
+  const galaxy = usualRun("henon_heiles");
+  expect(
+    difference(galaxy, "potential", (k) => potential(galaxy)(galaxy.at("x", k), galaxy.at("y", k))),
+  ).toBeLessThan(1e-14);
+  const car = usualRun("car_suspension");
+  expect(difference(car, "road", (k) => road(car, k)(0))).toBeLessThan(1e-13);
+  const rods = usualRun("n_pendulum");
+  expect(difference(rods, "y", (k) => chain(rods, k).at(-1)?.[1] ?? NaN)).toBeLessThan(1e-13);
+});
+
+test("bodies point where the core says", () => {
+  for (const [id, names] of [
+    ["gyroscope", ["axis_x", "axis_y", "axis_z"]],
+    ["heavy_top", ["axis_x", "axis_y", "axis_z"]],
+    ["free_body", ["axis_x", "axis_y", "axis_z"]],
+    ["spherical_pendulum", ["x", "y", "z"]],
+  ] as const) {
+    const [look, scene] = [usualRun(id), sceneOf(id)];
+    if (scene?.kind !== "solid") throw new Error(id);
+    const last = look.times.length - 1;
+    for (const sample of [0, last >> 2, last >> 1, last]) {
+      const points = turned(scene.pose(look, sample).turn, [0, 0, 1]);
+      names.forEach((name, k) => {
+        expect(points[k], `${id} ${name}`).toBeCloseTo(look.at(name, sample), 6);
+      });
+      if (look.has("qw")) expect(axis(look, sample)[2]).toBeCloseTo(look.at("axis_z", sample), 6);
+    }
+  }
+});
