@@ -83,3 +83,150 @@ fn a_tippe_top_that_slips_turns_over() {
         "it spins about the same vertical, so the other way about its axis"
     );
 }
+
+/// Beyond Jellett's threshold (76.7 rad/s from nearly upright) it turns over completely, below it stays leaning.
+#[test]
+fn a_tippe_top_turns_over_completely_beyond_the_threshold() {
+    let leaning = |spin: &str| {
+        let settings = [
+            ("-omega3", spin),
+            ("epsilon", "1e-2"),
+            ("--rtol", "1e-9"),
+            ("--atol", "1e-9"),
+            ("--until", "40"),
+        ];
+        let run = go("tippe_top", &settings, None);
+        let theta = run.trajectory.column("theta").expect("a column");
+        theta[theta.len() * 3 / 4..].iter().sum::<f64>() / (theta.len() - theta.len() * 3 / 4) as f64
+    };
+    let (below, beyond) = (leaning("69"), leaning("84.4"));
+    assert!((2.2..2.5).contains(&below) && beyond > 2.95, "{below} {beyond}");
+}
+
+/// With exact dry friction the contact comes to rest and the top rolls: it does not turn over, and Routh's quantity is constant.
+#[test]
+fn a_tippe_top_that_sticks_does_not_turn_over() {
+    let run = go("tippe_top", &[("friction", "coulomb"), ("--until", "4")], None);
+    let names: Vec<&str> = run.trajectory.events.iter().map(|event| event.name.as_str()).collect();
+    assert_eq!(names, ["sticks"]);
+    let rests = run.trajectory.events[0].t;
+    let after = |name: &str| -> Vec<f64> {
+        let (times, column) = (run.trajectory.column("t"), run.trajectory.column(name).expect("a column"));
+        times.expect("times").into_iter().zip(column).filter(|(t, _)| *t > rests).map(|(_, x)| x).collect()
+    };
+    for name in ["routh", "energy"] {
+        let values = after(name);
+        assert!(values.iter().all(|x| (x / values[0] - 1.0).abs() < 1e-12), "{name}");
+    }
+    assert!(
+        after("theta").iter().all(|theta| *theta < 0.2) && after("slip").iter().all(|slip| *slip < 1e-10)
+    );
+}
+
+#[test]
+fn a_billiard_ball_sticks_at_two_sevenths() {
+    let run = go("billiard_ball", &[("friction", "coulomb")], None);
+    let rolls = 2.0 * 2.0 / (7.0 * 0.3 * 9.81);
+    assert!((run.trajectory.events[0].t / rolls - 1.0).abs() < 1e-11, "{}", run.trajectory.events[0].t);
+    assert!((last(&run, "x_dot") - 2.0 * 5.0 / 7.0).abs() < 1e-10, "{}", last(&run, "x_dot"));
+}
+
+/// Boole's rule over the power gives what the energy has lost.
+#[test]
+fn friction_takes_what_the_energy_loses() {
+    for (law, spot) in [("coulomb_smooth", "0"), ("viscous", "0"), ("drilling", "1e-3")] {
+        let settings = [
+            ("friction", law),
+            ("spot", spot),
+            ("epsilon", "0.1"),
+            ("damping", "1e-8"),
+            ("--rtol", "1e-13"),
+            ("--atol", "1e-13"),
+            ("--until", "1"),
+            ("--every", "1e-4"),
+        ];
+        let run = go("tippe_top", &settings, None);
+        let power = run.trajectory.column("power").expect("a column");
+        let energy = run.trajectory.column("energy").expect("a column");
+        let quarters = power.windows(5).step_by(4);
+        let work: f64 =
+            quarters.map(|p| 2e-4 / 45.0 * (7.0 * (p[0] + p[4]) + 32.0 * (p[1] + p[3]) + 12.0 * p[2])).sum();
+        let lost = last(&run, "energy") - energy[0];
+        assert!(lost < -1e-3 * energy[0], "{law} takes something");
+        assert!((work - lost).abs() < 1e-12 * energy[0], "{law}: {work} {lost}");
+    }
+}
+
+/// A top that falls bounces, hops and turns over; no blow and no friction changes Jellett's quantity, and none gives energy.
+#[test]
+fn a_tippe_top_that_is_dropped_keeps_jelletts_quantity() {
+    let settings = [
+        ("contact", "free"),
+        ("friction", "coulomb"),
+        ("restitution", "0.5"),
+        ("-z", "0.05"),
+        ("--until", "1"),
+    ];
+    let run = go("tippe_top", &settings, None);
+    let first = run.trajectory.events[0].t;
+    let falls: f64 = 0.05 + 0.02 * (0.3 * precess::scalar::Scalar::cos(0.1) - 1.0);
+    assert!((first - (2.0 * falls / 9.81).sqrt()).abs() < 1e-11, "{first}");
+    assert!(drift(&run, "jellett") < 1e-11, "{}", drift(&run, "jellett"));
+    let energy = run.trajectory.column("energy").expect("a column");
+    assert!(energy.windows(2).all(|e| e[1] <= e[0] * (1.0 + 1e-13)), "energy only falls");
+    let lands = run.trajectory.events.iter().filter(|event| event.name == "lands").count();
+    assert!(lands > 5 && run.trajectory.events.iter().any(|event| event.name == "sticks"), "{lands}");
+}
+
+/// A block that slides up an inclined table and stays there, or comes back: mu above or below the slope.
+#[test]
+fn a_ball_rolls_down_a_slope_where_friction_is_enough() {
+    // A homogeneous ball needs mu of 2/7 of the slope.
+    let acceleration = |mu: &str| {
+        let settings =
+            [("friction", "coulomb"), ("mu", mu), ("slope", "0.5"), ("-x_dot", "0"), ("--until", "1")];
+        last(&go("billiard_ball", &settings, None), "x_dot")
+    };
+    let down = 9.81 / 1.25_f64.sqrt();
+    assert!((acceleration("0.15") - 5.0 / 7.0 * 0.5 * down).abs() < 1e-9, "it rolls");
+    assert!((acceleration("0.1") - (0.5 - 0.1) * down).abs() < 1e-9, "it slips: 2/7 * 0.5 is above 0.1");
+}
+
+/// T, section 6.2, lets a rolling egg rise; only one that slips does.
+#[test]
+fn an_egg_rises_because_it_slips() {
+    let lowest = |settings: &[(&str, &str)]| {
+        let theta = go("spinning_egg", settings, None).trajectory.column("theta").expect("a column");
+        theta.into_iter().fold(0.0, |a, theta| {
+            let lean = (theta - std::f64::consts::FRAC_PI_2).abs();
+            if lean > a { lean } else { a }
+        })
+    };
+    let slips = lowest(&[("--until", "2"), ("--rtol", "1e-9"), ("--atol", "1e-9")]);
+    let rolls = lowest(&[("--until", "2"), ("friction", "coulomb"), ("mu", "1e3")]);
+    assert!(slips > 1.1 && rolls < 0.2, "{slips} {rolls}");
+}
+
+/// The sharp tip keeps its spin and does not rise, the round one does.
+#[test]
+fn a_round_tip_rises_and_a_sharp_one_does_not() {
+    let lean = |id: &str| {
+        let run =
+            go(id, &[("--until", "1"), ("--rtol", "1e-9"), ("--atol", "1e-9"), ("contact", "free")], None);
+        let theta = run.trajectory.column("theta").expect("a column");
+        let tail = &theta[theta.len() / 2..];
+        (tail.iter().sum::<f64>() / tail.len() as f64, last(&run, "spin_axis"))
+    };
+    let ((sharp, spin), (round, slower)) = (lean("sliding_cone"), lean("rounded_top"));
+    assert!((0.3..0.36).contains(&sharp) && (spin - 600.0).abs() < 1e-9, "{sharp} {spin}");
+    assert!(round < 0.2 && slower < 599.5, "{round} {slower}");
+}
+
+/// A rattleback whose axes of inertia are those of its shape (a solid of revolution is one) never turns back.
+#[test]
+fn a_rattleback_needs_skew_axes() {
+    for spin in ["5", "-5"] {
+        let run = go("rattleback", &[("-omega3", spin), ("i12", "0"), ("--until", "20")], Some("spin = 0"));
+        assert_eq!(run.trajectory.events.len(), 0);
+    }
+}

@@ -142,47 +142,42 @@ impl Slider {
     /// What an event does to the state.
     #[inline(always)]
     pub(super) fn change<S: Scalar>(&self, event: usize, s: &State<S>, y: &mut [S]) {
+        let (n, modes) = (s.coordinates.len(), s.coordinates.len() + s.velocities.len());
         match event {
-            STICKS => self.settle(s, y, true),
-            SLIPS => self.settle(s, y, false),
-            LIFTS => self.lift(s, y),
-            LANDS => self.land(s, y),
+            LIFTS => {
+                [y[9], y[n + 2]] = height(&self.0.see(s));
+                y[modes] = S::from(FLIES);
+            }
+            STICKS | SLIPS | LANDS => {
+                let stays = if event == LANDS { self.strike(s, y) } else { S::always() };
+                let before = y.to_vec();
+                let struck = State { coordinates: &before[..n], velocities: &before[n..modes], ..*s };
+                self.settle(&struck, y, event != SLIPS);
+                for (now, before) in y.iter_mut().zip(&before) {
+                    *now = S::select(stays, *now, *before);
+                }
+            }
             _ => {}
         }
     }
 
-    /// Takes off with the height and the velocity it has.
+    /// The blow of a landing; whether it leaves the body on the table.
     #[inline(always)]
-    fn lift<S: Scalar>(&self, s: &State<S>, y: &mut [S]) {
-        let [height, rise] = height(&self.0.see(s));
-        let n = s.coordinates.len();
-        (y[9], y[n + 2]) = (height, rise);
-        y[n + s.velocities.len()] = S::from(FLIES);
-    }
-
-    /// The blow, then flight again or contact.
-    #[inline(always)]
-    fn land<S: Scalar>(&self, s: &State<S>, y: &mut [S]) {
+    fn strike<S: Scalar>(&self, s: &State<S>, y: &mut [S]) -> S::Mask {
         let seen = self.0.see(s);
         let (friction, restitution) = self.friction(s);
         let [touching, rising] = height(&seen);
         let [ux, uy] = Self::slip(&seen, s);
         let down = s.velocities[2] - rising;
         let blow = blow(&seen, [ux, uy, down], friction.mu, restitution);
-        let (n, modes) = (s.coordinates.len(), s.coordinates.len() + s.velocities.len());
+        let n = s.coordinates.len();
         for (i, turned) in turn(&seen, blow).into_iter().enumerate() {
             y[4 + i] = y[4 + i] + turned;
             y[n + i] = y[n + i] + blow[i] / seen.body.mass;
         }
         y[9] = touching;
         let up = restitution * down;
-        let stays = (up * up).le(seen.felt[1].abs() * touching * (2.0 * REBOUND));
-        let flying = y.to_vec();
-        let after = State { coordinates: &flying[..n], velocities: &flying[n..modes], ..*s };
-        self.settle(&after, y, true);
-        for (now, flying) in y.iter_mut().zip(&flying) {
-            *now = S::select(stays, *now, *flying);
-        }
+        (up * up).le(seen.felt[1].abs() * touching * (2.0 * REBOUND))
     }
 
     /// Puts a body in contact into the regime it takes, exactly on the constraints of that regime.

@@ -86,14 +86,16 @@ impl Slider {
     /// What acts in the regime of the state.
     #[inline(always)]
     pub(super) fn acts<S: Scalar>(&self, s: &State<S>, seen: &Seen<S>) -> Acts<S> {
-        let Some(&[regime, dx, dy]) = s.modes.first_chunk() else {
-            return self.sliding(s, seen, [S::from(0.0); 2]);
-        };
+        let zero = S::from(0.0);
+        let [regime, dx, dy] = s.modes.first_chunk().copied().unwrap_or([zero; 3]);
+        let sliding = self.sliding(s, seen, [dx, dy]);
+        if s.modes.is_empty() {
+            return sliding;
+        }
         let rolling = Self::rolling(seen);
-        let contact = Acts::select(is(regime, ROLLS), &rolling, &self.sliding(s, seen, [dx, dy]));
+        let contact = Acts::select(is(regime, ROLLS), &rolling, &sliding);
         let spin = cross(seen.omega, apply(seen.body.inertia, seen.omega));
         let free = minus(seen.torque, spin);
-        let zero = S::from(0.0);
         let flight = Acts {
             omega_dot: solve(seen.body.inertia, free),
             force: [zero; 3],
