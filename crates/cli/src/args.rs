@@ -34,6 +34,8 @@ pub enum Verb {
         #[arg(long)]
         latex: bool,
     },
+    /// Works out mass, centre and inertia of a body: cone density=100 height=0.15 radius=0.05 (alone: the shapes)
+    Body(Body),
     /// Runs a system, or a scenario file
     Run(Run),
     /// Runs several methods on the same start, side by side
@@ -61,6 +63,20 @@ pub enum What {
     Methods,
     /// Scenarios that come with the program
     Scenarios,
+}
+
+/// A body.
+#[derive(Args)]
+pub struct Body {
+    /// A shape and its sizes; '+' begins the next part of a sum, which x, y and z place
+    #[arg(value_name = "SHAPE NAME=VALUE...")]
+    pub words: Vec<String>,
+    /// A further point for the inertia: '[0; 0; 0.1]' (the origin of the shape's axes where absent)
+    #[arg(long, value_name = "POINT", allow_hyphen_values = true)]
+    pub about: Option<String>,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// What is run, and for how long.

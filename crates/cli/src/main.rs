@@ -3,6 +3,7 @@
 mod analyse;
 mod args;
 mod bench;
+mod body;
 mod compare;
 mod draw;
 mod failure;
@@ -26,6 +27,7 @@ fn main() -> ExitCode {
     let outcome = match command.verb {
         Verb::List { what, json } => list::list(what, json),
         Verb::Show { system, json, latex } => show::show(&system, json, latex),
+        Verb::Body(arguments) => body::body(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),

@@ -465,3 +465,27 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
     }
 }
+
+#[test]
+fn bodies_are_worked_out() {
+    let cone = precess(&["body", "cone", "density=100", "height=15 cm", "radius=5 cm"]);
+    assert!(out(&cone).contains("mass     0.0392699081698724") && cone.status.success(), "{}", out(&cone));
+    assert!(out(&cone).contains("precess run gyroscope -p m=0.03926990816987"), "{}", out(&cone));
+    let sum = ["body", "sphere", "mass=1", "radius=0.1", "+", "sphere", "mass=1", "radius=0.1", "x=1"];
+    let sum = precess(&[&sum[..], &["--about", "[0; 0; 0]", "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&out(&sum)).expect("JSON");
+    assert_eq!((json["mass"].as_f64(), json["centre"][0].as_f64()), (Some(2.0), Some(0.5)));
+    assert!((json["inertia"][1][1].as_f64().expect("a number") - 0.508).abs() < 1e-15);
+    for (words, why) in [
+        (&["cube"][..], "did you mean 'cone'"),
+        (&["cone", "heigth=1"], "did you mean 'height'"),
+        (&["cone", "height=1", "radius=1", "mass=0"], "above zero"),
+        (&["sphere", "radius=1 kg", "mass=1"], "a value in m"),
+        (&["sphere", "radius=1", "mass=1", "--about", "[0; 1]"], "three coordinates"),
+        (&["+"], "a shape is missing"),
+    ] {
+        let wrong = precess(&[&["body"], words].concat());
+        assert_eq!(wrong.status.code(), Some(2), "{words:?}");
+        assert!(err(&wrong).contains(why) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+    }
+}

@@ -1,6 +1,7 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
 mod attitude;
+pub mod bodies;
 mod gravity;
 mod inertia;
 mod oscillators;

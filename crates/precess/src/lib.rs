@@ -6,6 +6,7 @@
 
 #[cfg(feature = "analyses")]
 pub mod analyses;
+pub mod body;
 mod canonical;
 pub mod catalogue;
 mod compare;
