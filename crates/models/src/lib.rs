@@ -9,6 +9,7 @@ mod linear;
 mod oscillators;
 mod pendulums;
 mod rotation;
+mod table;
 mod tops;
 mod waterwheels;
 
@@ -55,4 +56,13 @@ pub static ALL: &[&dyn AnySystem] = &[
     &tops::tippe_top_rolling::TippeTopRolling,
     &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
+    &table::rolling_body::ROLLING_BODY,
+    &table::rattleback::RATTLEBACK,
+    &table::euler_disk::EULER_DISK,
+    &table::sliding_body::SLIDING_BODY,
+    &table::tippe_top::TIPPE_TOP,
+    &table::spinning_egg::SPINNING_EGG,
+    &table::sliding_cone::SLIDING_CONE,
+    &table::rounded_top::ROUNDED_TOP,
+    &table::billiard_ball::BILLIARD_BALL,
 ];
