@@ -32,5 +32,5 @@ pub use method::{
     AnyMethod, Kind, LawNumbers, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step,
     Stepper, Steps,
 };
-pub use methods::METHODS;
+pub use methods::{FIRST, METHODS};
 pub use samples::Samples;
