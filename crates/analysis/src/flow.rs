@@ -77,7 +77,7 @@ impl Flow<'_> {
         let job = Drive {
             field: &field,
             method: self.method,
-            options: self.options,
+            options: self.options.clone(),
             start,
             samples: Samples::new(span, every),
             pace: self.pace.clone(),
@@ -118,7 +118,7 @@ impl Flow<'_> {
         let job = Drive {
             field: &field,
             method: self.method,
-            options: self.options,
+            options: self.options.clone(),
             start: &start,
             samples: Samples::new(span, span.abs()),
             pace,

@@ -8,6 +8,7 @@ use crate::subject::{assignment, scenario};
 use crate::{draw, list, summary, table};
 use precess::{Outcome, Plan, Scenario, hash, picture, scenario_toml};
 use std::io::{self, BufWriter, Write};
+use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -38,10 +39,10 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     let quiet = arguments.subject.quiet;
     let mut progress = Progress::new(plan.until, quiet, &listen());
     let outcome = precess::run(&plan, &mut |t| progress.at(t));
-    progress.finish();
     let time = began.elapsed();
 
-    write(&plan, &outcome, targets)?;
+    write(&plan, &outcome, targets, &mut |share| progress.at(share * plan.until))?;
+    progress.finish();
     if arguments.hash {
         list::print(&format!("{}\n", hash(&outcome.trajectory)))?;
     }
@@ -103,7 +104,12 @@ pub fn finish_plot(
     output.finish(|file| file.write_all(&picture))
 }
 
-fn write(plan: &Plan, outcome: &Outcome, targets: Targets) -> Result<(), Failure> {
+fn write(
+    plan: &Plan,
+    outcome: &Outcome,
+    targets: Targets,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<(), Failure> {
     match targets.table {
         None => {}
         Some(Table::StandardOutput) => {
@@ -115,7 +121,7 @@ fn write(plan: &Plan, outcome: &Outcome, targets: Targets) -> Result<(), Failure
         Some(Table::Npz(output)) => output.finish(|file| table::npz(file, outcome))?,
     }
     if let Some(plot) = targets.plot {
-        finish_plot(&picture(plan, &outcome.trajectory), plot)?;
+        finish_plot(&picture(plan, &outcome.trajectory, progress)?, plot)?;
     }
     if let Some(output) = targets.save {
         output.finish(|file| file.write_all(scenario_toml(plan).as_bytes()))?;

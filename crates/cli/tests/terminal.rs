@@ -207,7 +207,6 @@ fn what_is_wrong_is_said_in_one_sentence_with_the_nearest_name() {
         (vec!["run", "noria", "--method", "verlet"], "events"),
         (vec!["run", "free_body", "--method", "verlet"], "first order"),
         (vec!["run", "free_body", "-p", "i3=10"], "inertia"),
-        (vec!["run", "gyroscope", "-i", "theta=0"], "theta"),
         (vec!["run", "n_body", "-p", "masses=[1; 1; 1]", "-i", "x2=1"], "same place"),
         (vec!["run", "n_body", "-p", "masses=[]"], "empty"),
         (vec!["run", "n_body", "-p", "masses=3"], "list"),

@@ -15,6 +15,8 @@ pub struct Dense<S> {
     start: Vec<S>,
     end: Vec<S>,
     terms: Vec<Vec<S>>,
+    /// Powers of s alone, without (1-s).
+    series: bool,
 }
 
 impl<S: Scalar> Dense<S> {
@@ -25,7 +27,20 @@ impl<S: Scalar> Dense<S> {
         let difference: Vec<S> = (0..n).map(|i| end[i] - start[i]).collect();
         let first = (0..n).map(|i| h * rate_start[i] - difference[i]).collect();
         let second = (0..n).map(|i| difference[i] * 2.0 - h * (rate_end[i] + rate_start[i])).collect();
-        Self { t, span: h, start: start.to_vec(), end: end.to_vec(), terms: vec![difference, first, second] }
+        Self {
+            t,
+            span: h,
+            start: start.to_vec(),
+            end: end.to_vec(),
+            terms: vec![difference, first, second],
+            series: false,
+        }
+    }
+
+    /// A power series: `start + s (F0 + s (F1 + ...))`.
+    #[inline(always)]
+    pub fn series(t: S, h: S, start: &[S], end: &[S], terms: Vec<Vec<S>>) -> Self {
+        Self { t, span: h, start: start.to_vec(), end: end.to_vec(), terms, series: true }
     }
 
     /// The step ends at this time, which `t + h` gives up to rounding alone: from now on exactly.
@@ -51,7 +66,7 @@ impl<S: Scalar> Dense<S> {
         for (i, y) in y.iter_mut().enumerate() {
             let mut sum = S::from(0.0);
             for (k, term) in self.terms.iter().enumerate().rev() {
-                sum = (sum + term[i]) * if k % 2 == 0 { s } else { rest };
+                sum = (sum + term[i]) * if self.series || k % 2 == 0 { s } else { rest };
             }
             *y = S::select(before_end, self.start[i] + sum, self.end[i]);
         }

@@ -1,7 +1,7 @@
 //! The drive: a stepper taken from the start to the end of a run, with samples and events on the way.
 
 use crate::engine::Engine;
-use crate::{AnyMethod, Failure, Occurred, Options, Samples, Tolerance, Watched};
+use crate::{AnyMethod, Failure, Needs, Occurred, Options, Samples, Tolerance, Watched};
 use precess_system::{Direction, Field};
 use std::ops::ControlFlow;
 
@@ -86,7 +86,14 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
         () if !run.samples.is_sensible() => {
             Some("the end of a run and the time between samples must be finite numbers")
         }
+        () if !knows_equations(run) => Some("this method needs the recorded equations of just this state"),
         () if !pace => Some("a step must be above zero, a tolerance not below"),
         () => None,
     }
+}
+
+/// Whether the equations of these states were given, and not those of others, where the method needs them.
+fn knows_equations(run: &Drive) -> bool {
+    matches!(run.method.card().needs, Needs::Any | Needs::Separable)
+        || run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == run.field.shape().full() + 1)
 }

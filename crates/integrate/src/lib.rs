@@ -14,6 +14,7 @@ mod entered;
 mod event;
 mod failure;
 mod fixed;
+mod linear;
 mod method;
 mod methods;
 mod pacer;

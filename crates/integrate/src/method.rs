@@ -4,9 +4,10 @@ use crate::Dense;
 use crate::entered::Entered;
 #[cfg(feature = "laws")]
 use precess_scalar::{DoubleDouble, Dual};
-use precess_scalar::{Narrow, Scalar, Wide, Widest};
+use precess_scalar::{Narrow, Scalar, Tape, Wide, Widest};
 use precess_system::{Field, Shape};
 use std::fmt;
+use std::sync::Arc;
 
 /// How the length of a step is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,6 +25,10 @@ pub enum Needs {
     Any,
     /// Accelerations that depend on positions (and time) alone.
     Separable,
+    /// Its equations written down ([`Options::equations`]), without absolute values and choices between cases.
+    Expression,
+    /// Momenta and forces of its Lagrangian ([`Options::equations`]), and nothing beside them.
+    Lagrangian,
 }
 
 /// A number that changes a method.
@@ -66,18 +71,21 @@ pub struct MethodCard {
     pub options: &'static [OptionCard],
 }
 
-/// The values of the options of all methods.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The values of the options of all methods, and the equations for those that need them.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// Share of the acceleration in the position step of `euler_taylor`.
     pub alpha: f64,
     /// Where the loop of `newmark` ends.
     pub epsilon: f64,
+    /// What a method [`Needs`] beside the field, from time and a full state: the rates of the state (`Expression`), or
+    /// momenta, forces and mass matrix (`Lagrangian`).
+    pub equations: Option<Arc<Tape>>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { alpha: 0.5, epsilon: 1e-12 }
+        Self { alpha: 0.5, epsilon: 1e-12, equations: None }
     }
 }
 

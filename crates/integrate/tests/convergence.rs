@@ -6,10 +6,10 @@
 
 mod toys;
 
-use precess_integrate::{METHODS, Needs, Options};
+use precess_integrate::{Needs, Options};
 use precess_scalar::{DoubleDouble, Scalar};
 use precess_system::Field;
-use toys::{bind, harmonic, kepler, method, mixed, pendulum, stepper, walk};
+use toys::{bind, harmonic, kepler, method, methods, mixed, pendulum, stepper, walk};
 
 type Dd = DoubleDouble;
 
@@ -71,7 +71,7 @@ fn check(
     reference: &[Vec<Dd>],
     separable: bool,
 ) {
-    for m in METHODS.iter().map(|m| m.card()) {
+    for m in methods() {
         if m.needs == Needs::Separable && !separable || m.order > 8 {
             continue;
         }

@@ -2,9 +2,9 @@
 
 mod toys;
 
-use precess_integrate::{METHODS, Options};
+use precess_integrate::Options;
 use precess_scalar::{DoubleDouble, Scalar};
-use toys::{method, pendulum, stepper, take};
+use toys::{Known, method, methods, pendulum, stepper, take};
 
 type Dd = DoubleDouble;
 
@@ -52,11 +52,11 @@ fn the_ends_are_the_very_numbers_of_the_step() {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (state >> 11) as f64 / 9007199254740992.0
     };
-    for m in METHODS.iter().map(|m| m.card()) {
+    for m in methods() {
         for _ in 0..100 {
             let (t, h) = (10.0 * random(), 0.3 * random());
             let (start, mut end) = ([random(), random() - 0.5], [0.0; 2]);
-            let mut steps = stepper::<f64>(method(m.id), &field, &Options::default());
+            let mut steps = stepper::<f64>(method(m.id), &field, &field.options());
             take(&mut *steps, &field, t, &start, h, &mut end).expect("converges");
             let stop = t + h;
             let dense = steps.dense(&field, t, &start, h, &end).ending(stop);

@@ -3,17 +3,17 @@
 mod toys;
 
 use precess_integrate::{AnyMethod, Block, Kind, Pace, Samples, Tolerance};
-use precess_integrate::{METHODS, Needs, Options, Steps};
+use precess_integrate::{Needs, Options, Steps};
 use precess_scalar::{Isa, Lanes, with_lanes};
 use precess_system::Field;
-use toys::{method, mixed, pendulum, stepper, take};
+use toys::{Known, method, methods, mixed, pendulum, stepper, take};
 
 /// Steps of different lengths in different lanes, with their estimates of the error.
-fn check_steps<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: usize)
+fn check_steps<S: Lanes>(id: &str, field: &(impl Known + Field<S>), size: usize)
 where
     dyn AnyMethod: Steps<S>,
 {
-    let options = Options::default();
+    let options = field.options();
     let start = |lane: usize, i: usize| 0.3 + 0.1 * lane as f64 - 0.25 * i as f64;
     let length = |lane: usize| 0.02 * (1 + lane) as f64;
     let mut wide: Vec<S> = (0..size).map(|i| S::from_lanes(|lane| start(lane, i))).collect();
@@ -50,8 +50,8 @@ fn check_every_method<S: Lanes>()
 where
     dyn AnyMethod: Steps<S>,
 {
-    for m in METHODS.iter().map(|m| m.card()) {
-        if m.needs == Needs::Any {
+    for m in methods() {
+        if m.needs != Needs::Separable {
             check_steps::<S>(m.id, &mixed(), 3);
             check_block::<S>(m.id, &mixed(), 3);
         }
@@ -75,13 +75,13 @@ fn pace(id: &str) -> Pace {
 }
 
 /// The last states of trajectories from a block.
-fn ends<S: Lanes>(id: &str, field: &dyn Field<S>, starts: &[f64], size: usize) -> Vec<u64>
+fn ends<S: Lanes>(id: &str, field: &dyn Field<S>, options: &Options, starts: &[f64], size: usize) -> Vec<u64>
 where
     dyn AnyMethod: Steps<S>,
 {
     let (method, samples) = (method(id), Samples::new(1.0, 0.3));
     let pace = &pace(id);
-    let block = Block { field, method, options: Options::default(), samples, pace };
+    let block = Block { field, method, options: options.clone(), samples, pace };
     let mut ends = vec![0; starts.len()];
     let mut record = |_, trajectory: usize, y: &[f64]| {
         for (i, x) in y.iter().enumerate() {
@@ -93,16 +93,18 @@ where
 }
 
 /// Full blocks, blocks with a single trajectory, and all between: rows and left-over lanes change no bit.
-fn check_block<S: Lanes>(id: &str, field: &(impl Field<f64> + Field<S>), size: usize)
+fn check_block<S: Lanes>(id: &str, field: &(impl Known + Field<S>), size: usize)
 where
     dyn AnyMethod: Steps<S>,
 {
     let most = Block::<S>::capacity(&pace(id));
+    let options = field.options();
     let starts: Vec<f64> = (0..most * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
-    let alone: Vec<u64> = starts.chunks(size).flat_map(|start| ends::<f64>(id, field, start, size)).collect();
+    let alone: Vec<u64> =
+        starts.chunks(size).flat_map(|start| ends::<f64>(id, field, &options, start, size)).collect();
     for count in [1, 2, S::LANES, S::LANES + 1, most - 1, most] {
         let count = count.clamp(1, most);
-        let together = ends::<S>(id, field, &starts[..count * size], size);
+        let together = ends::<S>(id, field, &options, &starts[..count * size], size);
         assert_eq!(together, alone[..count * size], "{id}, {count} in {} lanes", S::LANES);
     }
 }

@@ -2,10 +2,10 @@
 
 mod toys;
 
-use precess_integrate::{METHODS, Options};
+use precess_integrate::{Needs, Options};
 use precess_scalar::{Dual, Scalar};
 use precess_system::Field;
-use toys::{harmonic, kepler, method, pendulum, stepper, take};
+use toys::{harmonic, kepler, method, methods, pendulum, stepper, take};
 
 /// The Jacobian of one step: columns by dual numbers.
 fn jacobian(id: &str, options: &Options, field: &dyn Field<Dual<f64>>, y: &[f64], h: f64) -> Vec<Vec<f64>> {
@@ -47,7 +47,8 @@ fn symplectic_where_the_card_says_so_and_nowhere_else() {
     let (pendulum, kepler) = (pendulum(0.0), kepler());
     let cases: [(&dyn Field<Dual<f64>>, &[f64]); 2] =
         [(&pendulum, &[1.1, 0.4]), (&kepler, &[0.7, 0.2, -0.3, 1.2])];
-    for m in METHODS.iter().map(|m| m.card()) {
+    // Taylor's series of order 20 is the solution itself, to rounding.
+    for m in methods().filter(|m| m.needs != Needs::Expression) {
         for (field, y) in cases {
             // A step that is not small: a method of order 8 must show its defect too.
             let defect = symplectic_defect(&jacobian(m.id, &Options::default(), field, y, 0.5));
@@ -89,7 +90,8 @@ fn newmark_keeps_its_determinant_off_one() {
 #[test]
 fn a_step_back_undoes_a_step_where_the_card_says_so_and_nowhere_else() {
     let field = pendulum(0.0);
-    for m in METHODS.iter().map(|m| m.card()) {
+    // Taylor's series of order 20 is the solution itself, to rounding.
+    for m in methods().filter(|m| m.needs != Needs::Expression) {
         let options = Options { epsilon: 1e-15, ..Options::default() };
         let start = [1.1, 0.4];
         let (mut there, mut back) = ([0.0; 2], [0.0; 2]);

@@ -3,18 +3,18 @@
 mod toys;
 
 use precess_integrate::{
-    Drive, Failure, METHODS, Needs, Options, Pace, Report, Samples, Source, Tolerance, Watched, drive,
+    Drive, Failure, Needs, Options, Pace, Report, Samples, Source, Tolerance, Watched, drive,
 };
 use precess_scalar::Scalar;
-use precess_system::{Direction, Field};
+use precess_system::Direction;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::ControlFlow;
-use toys::{ball, blow_up, harmonic, method, mixed, pendulum};
+use toys::{Known, ball, blow_up, harmonic, method, methods, mixed, pendulum};
 
 type Rows = Vec<(f64, Vec<f64>)>;
 
 struct Run<'a> {
-    field: &'a dyn Field<f64>,
+    field: &'a dyn Known,
     method: &'a str,
     start: &'a [f64],
     until: f64,
@@ -31,7 +31,7 @@ impl Run<'_> {
             &Drive {
                 field: self.field,
                 method: method(self.method),
-                options: Options::default(),
+                options: self.field.options(),
                 start: self.start,
                 samples: Samples::new(self.until, self.every),
                 pace: self.pace.clone(),
@@ -55,7 +55,7 @@ fn watch<'a>(f: impl Fn(f64, &[f64]) -> f64 + 'a, direction: Direction, stop: bo
 
 /// Every method with its pace.
 fn paces(dt: f64) -> impl Iterator<Item = (&'static str, Pace)> {
-    METHODS.iter().map(|m| m.card()).flat_map(move |card| {
+    methods().flat_map(move |card| {
         let adaptive = card.kind == precess_integrate::Kind::Adaptive;
         [(card.id, Pace::Fixed(dt))].into_iter().chain(adaptive.then(|| (card.id, tight(1e-10))))
     })
@@ -381,7 +381,7 @@ fn whoever_watches_may_interrupt() {
             &Drive {
                 field: &field,
                 method: method(id),
-                options: Options::default(),
+                options: field.options(),
                 start: &[1.0, 0.0],
                 samples: Samples::new(1e6, 0.01),
                 pace,
@@ -447,7 +447,7 @@ impl toys::Toy for Buckets {
 #[test]
 fn events_at_the_same_time_all_happen() {
     let field = toys::bind(Buckets, 0, 2, 2);
-    for (id, pace) in paces(0.03).filter(|(id, _)| method(id).card().needs == Needs::Any) {
+    for (id, pace) in paces(0.03).filter(|(id, _)| method(id).card().needs != Needs::Separable) {
         let directions = [Direction::Rising; 2];
         let watches = [watch(|_, y| y[1] - 1.0, Direction::Rising, false)];
         let run = Run {

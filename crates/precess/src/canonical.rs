@@ -1,7 +1,10 @@
 //! A plan written back as a scenario that says everything, so that a picture can give back its run.
 
-use crate::plan::{Plan, Step};
-use precess_system::{Default, Direction};
+use crate::family::FamilyMember;
+use crate::figure::Stroke;
+use crate::plan::{PanelPlan, Plan, Step};
+use crate::scenario::STROKES;
+use precess_system::{Default, Direction, Parameter};
 use std::fmt::Write;
 
 /// The scenario file (TOML) with every parameter, start and setting written out.
@@ -13,37 +16,16 @@ pub fn scenario_toml(plan: &Plan) -> String {
 }
 
 fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
-    writeln!(out, "precess = 1\ntitle = {}\n", text(&plan.title))?;
-    writeln!(out, "[system]\nid = \"{}\"\n\n[system.parameters]", plan.card.id)?;
-    let (mut numbers, mut lists, mut choices) =
-        (plan.values.numbers.iter(), plan.values.lists.iter(), plan.values.choices.iter());
-    for parameter in &plan.card.parameters {
-        let value = match &parameter.default {
-            Default::Number(_) => numbers.next().map(|x| float(*x)),
-            Default::List { .. } => lists.next().map(|l| {
-                let items = l.items.chunks_exact(l.width).map(|item| match item {
-                    [x] => float(*x),
-                    row => format!("[{}]", row.iter().map(|x| float(*x)).collect::<Vec<_>>().join(", ")),
-                });
-                format!("[{}]", items.collect::<Vec<_>>().join(", "))
-            }),
-            Default::Choice(options) => choices.next().map(|k| text(options[*k])),
-        };
-        writeln!(out, "{} = {}", parameter.quantity.name, value.unwrap_or_default())?;
+    writeln!(out, "precess = 1\ntitle = {}", text(&plan.title))?;
+    if !plan.label.is_empty() {
+        writeln!(out, "label = {}", text(&plan.label))?;
     }
+    writeln!(out, "\n[system]\nid = \"{}\"\n\n[system.parameters]", plan.card.id)?;
+    lines(out, &parameters(plan))?;
     writeln!(out, "\n[start]")?;
-    for (name, x) in plan.given().0 {
-        writeln!(out, "{name} = {}", float(x))?;
-    }
-    writeln!(out, "\n[run]\nmethod = \"{}\"", plan.method.card().id)?;
-    match plan.step {
-        Step::Fixed(dt) => writeln!(out, "dt = {}", float(dt))?,
-        Step::Adaptive { rtol, atol } => writeln!(out, "rtol = {}\natol = {}", float(rtol), float(atol))?,
-    }
-    for option in plan.method.card().options {
-        writeln!(out, "{} = {}", option.name, float(plan.options.get(option.name)))?;
-    }
-    writeln!(out, "until = {}\nevery = {}", float(plan.until), float(plan.every))?;
+    lines(out, &starts(plan))?;
+    writeln!(out, "\n[run]")?;
+    lines(out, &settings(plan))?;
     let columns = plan.columns();
     for watch in &plan.watches {
         let direction = match watch.direction {
@@ -55,12 +37,134 @@ fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
         writeln!(out, "\n[[event]]\nname = {}\nwhen = {}", text(&watch.name), text(&when))?;
         writeln!(out, "direction = \"{direction}\"\nstop = {}", watch.stop)?;
     }
+    for member in &plan.members {
+        writeln!(out, "\n[[family]]")?;
+        lines(out, &family(member))?;
+    }
     for panel in &plan.panels {
-        let y: Vec<_> = panel.y.iter().map(|&k| text(&columns[k].name)).collect();
-        writeln!(out, "\n[[figure]]\ntitle = {}\nx = {}", text(&panel.title), text(&columns[panel.x].name))?;
-        writeln!(out, "y = [{}]\nequal_scales = {}", y.join(", "), panel.equal_scales)?;
+        writeln!(out, "\n[[figure]]")?;
+        lines(out, &figure(panel))?;
     }
     Ok(())
+}
+
+/// Names with their values as TOML.
+type Entries = Vec<(String, String)>;
+
+fn lines(out: &mut String, entries: &Entries) -> std::fmt::Result {
+    entries.iter().try_for_each(|(name, value)| writeln!(out, "{name} = {value}"))
+}
+
+fn inline(entries: &Entries) -> String {
+    let parts: Vec<String> = entries.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    format!("{{ {} }}", parts.join(", "))
+}
+
+fn parameters(plan: &Plan) -> Entries {
+    let (mut numbers, mut lists, mut choices) =
+        (plan.values.numbers.iter(), plan.values.lists.iter(), plan.values.choices.iter());
+    let parameter = |parameter: &Parameter| {
+        let value = match &parameter.default {
+            Default::Number(_) => numbers.next().map(|x| float(*x)),
+            Default::List { .. } => lists.next().map(|l| {
+                list(l.items.chunks_exact(l.width).map(|item| match item {
+                    [x] => float(*x),
+                    row => list(row.iter().map(|x| float(*x))),
+                }))
+            }),
+            Default::Choice(options) => choices.next().map(|k| text(options[*k])),
+        };
+        (parameter.quantity.name.clone(), value.unwrap_or_default())
+    };
+    plan.card.parameters.iter().map(parameter).collect()
+}
+
+fn starts(plan: &Plan) -> Entries {
+    plan.given().0.into_iter().map(|(name, x)| (name, float(x))).collect()
+}
+
+fn settings(plan: &Plan) -> Entries {
+    let mut settings = vec![("method".into(), text(plan.method.card().id))];
+    match plan.step {
+        Step::Fixed(dt) => settings.push(("dt".into(), float(dt))),
+        Step::Adaptive { rtol, atol } => {
+            settings.extend([("rtol".into(), float(rtol)), ("atol".into(), float(atol))]);
+        }
+    }
+    for option in plan.method.card().options {
+        settings.push((option.name.into(), float(plan.options.get(option.name))));
+    }
+    settings.extend([("until".into(), float(plan.until)), ("every".into(), float(plan.every))]);
+    settings
+}
+
+/// A family of one.
+fn family(member: &FamilyMember) -> Entries {
+    // A list gives its items to the members one by one, so a value that is a list stands in another one.
+    let single = |entries: Entries| {
+        entries
+            .into_iter()
+            .map(|(n, v)| if v.starts_with('[') { (n, format!("[{v}]")) } else { (n, v) })
+            .collect()
+    };
+    let mut entries = vec![
+        ("name".into(), text(&member.family)),
+        ("label".into(), text(&member.label)),
+        ("system".into(), text(member.plan.card.id)),
+        ("parameters".into(), inline(&single(parameters(&member.plan)))),
+        ("start".into(), inline(&starts(&member.plan))),
+        ("run".into(), inline(&settings(&member.plan))),
+        ("both_ways".into(), member.both_ways.to_string()),
+    ];
+    if !member.names.is_empty() {
+        let names = member.names.iter().map(|(theirs, own)| (text(theirs), text(own))).collect();
+        entries.push(("names".into(), inline(&names)));
+    }
+    entries.extend(style(member.style));
+    entries
+}
+
+fn style(style: Option<Stroke>) -> Option<(String, String)> {
+    let (name, _) = STROKES.iter().find(|(_, stroke)| Some(*stroke) == style)?;
+    Some(("style".into(), text(name)))
+}
+
+fn figure(panel: &PanelPlan) -> Entries {
+    let spec = &panel.spec;
+    let mut entries: Entries =
+        vec![("kind".into(), text(spec.kind.name())), ("title".into(), text(&spec.title))];
+    for (name, words) in [("x", &spec.x), ("y", &spec.y), ("of", &spec.of), ("grid", &spec.grid)] {
+        if !words.is_empty() {
+            entries.push((name.into(), list(words.iter().map(|w| text(w)))));
+        }
+    }
+    let ranges = [("x_range", panel.x_range), ("y_range", panel.y_range), ("between", panel.between)];
+    for (name, range) in ranges {
+        entries.extend(range.map(|(low, high)| (name.into(), list([float(low), float(high)]))));
+    }
+    if !panel.at.is_empty() {
+        entries.push(("at".into(), list(panel.at.iter().map(|t| float(*t)))));
+    }
+    if !panel.marks.is_empty() {
+        entries.push(("marks".into(), list(panel.marks.iter().map(|p| list(p.map(float))))));
+    }
+    entries.extend(style(spec.style));
+    entries.extend(spec.levels.map(|n| ("levels".into(), n.to_string())));
+    for (name, word) in [("sweep", &spec.sweep), ("section", &spec.section)] {
+        entries.extend(word.as_ref().map(|w| (name.into(), text(w))));
+    }
+    let flags = [
+        ("circles", spec.circles),
+        ("starts", spec.starts),
+        ("equal_scales", spec.equal_scales),
+        ("logarithmic", spec.logarithmic),
+    ];
+    entries.extend(flags.iter().filter(|(_, set)| *set).map(|(name, _)| ((*name).into(), "true".into())));
+    entries
+}
+
+fn list(items: impl IntoIterator<Item = String>) -> String {
+    format!("[{}]", items.into_iter().collect::<Vec<_>>().join(", "))
 }
 
 /// The shortest decimal that reads back to the same bits.

@@ -189,7 +189,7 @@ where
         let block = Block {
             field: &*self.field,
             method: plan.method,
-            options: plan.options,
+            options: plan.options.clone(),
             samples: self.samples,
             pace: &self.pace,
         };

@@ -1,13 +1,16 @@
 //! A plan: a scenario held against the cards, complete and ready to run.
 
 use crate::error::{Error, input, unknown};
-use crate::scenario::Scenario;
+use crate::family::{FamilyMember, members};
+use crate::scenario::{FigureSpec, Scenario};
 use crate::value::Value;
-use crate::{catalogue, resolve};
+use crate::{catalogue, panel, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
+use precess_scalar::{Tape, Taylor};
 use precess_system::{
     AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
 };
+use std::sync::Arc;
 
 /// How the method steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,17 +41,21 @@ pub struct Watch {
     pub stop: bool,
 }
 
-/// A panel of the picture: columns against a column.
+/// A panel of the picture, held against the run's quantities.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PanelPlan {
-    /// Heading.
-    pub title: String,
-    /// Horizontal column.
-    pub x: usize,
-    /// Vertical columns.
-    pub y: Vec<usize>,
-    /// Both axes to the same scale.
-    pub equal_scales: bool,
+    /// As it was asked for.
+    pub spec: FigureSpec,
+    /// Range of the horizontal axis.
+    pub x_range: Option<(f64, f64)>,
+    /// Range of the vertical axis.
+    pub y_range: Option<(f64, f64)>,
+    /// Only this part of the time.
+    pub between: Option<(f64, f64)>,
+    /// Times that the panel asks for.
+    pub at: Vec<f64>,
+    /// Marked points of the plane.
+    pub marks: Vec<[f64; 2]>,
 }
 
 /// A run that is fully determined.
@@ -80,6 +87,10 @@ pub struct Plan {
     pub every: f64,
     /// Watched crossings.
     pub watches: Vec<Watch>,
+    /// Its name in legends; may be empty.
+    pub label: String,
+    /// Trajectories that are drawn beside it.
+    pub members: Vec<FamilyMember>,
     /// Panels of the picture, as the scenario gives them.
     pub panels: Vec<PanelPlan>,
 }
@@ -88,6 +99,8 @@ pub struct Plan {
 const MOST_SAMPLES: f64 = 1e8;
 /// More steps than this take years.
 const MOST_STEPS: f64 = 1e14;
+/// A relative difference between the equations and the Lagrangian's that no rounding makes.
+const BESIDE: f64 = 1e-9;
 
 impl Plan {
     /// Holds a scenario against the cards.
@@ -108,6 +121,8 @@ impl Plan {
             step: Step::Fixed(card.defaults.dt),
             options: Options::default(),
             watches: vec![],
+            label: scenario.label.clone(),
+            members: vec![],
             panels: vec![],
             system,
             card,
@@ -118,9 +133,11 @@ impl Plan {
             method,
         };
         plan.check_method()?;
+        plan.record_equations()?;
         plan.read_run(&scenario.run)?;
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
-        plan.panels = scenario.figures.iter().map(|f| resolve::panel(&plan, f)).collect::<Result<_, _>>()?;
+        plan.members = members(scenario)?;
+        plan.panels = scenario.figures.iter().map(|f| panel::panel(&plan, f)).collect::<Result<_, _>>()?;
         Ok(plan)
     }
 
@@ -150,7 +167,7 @@ impl Plan {
     fn check_method(&self) -> Result<(), Error> {
         let card = self.method.card();
         let id = self.card.id;
-        if card.needs == Needs::Any || self.structure.separable() {
+        if card.needs != Needs::Separable || self.structure.separable() {
             return Ok(());
         }
         let why = if self.structure.hybrid {
@@ -167,6 +184,52 @@ impl Plan {
             card.id,
             fits.join(", ")
         ))
+    }
+
+    /// For methods that need them.
+    fn record_equations(&mut self) -> Result<(), Error> {
+        let tape = match self.method.card().needs {
+            Needs::Any | Needs::Separable => return Ok(()),
+            Needs::Expression => self.expression()?,
+            Needs::Lagrangian => self.momenta()?,
+        };
+        self.options.equations = Some(Arc::new(tape));
+        Ok(())
+    }
+
+    fn expression(&self) -> Result<Tape, Error> {
+        let tape = precess_system::expression(self.system, &self.values, &self.layout);
+        match Taylor::<f64>::new(&tape, 1) {
+            Ok(_) => Ok(tape),
+            Err(what) => input(format!(
+                "method '{}' needs equations that have a power series, and those of {} contain {what}: dop853 takes \
+                 any (friction set to zero may help)",
+                self.method.card().id,
+                self.card.id
+            )),
+        }
+    }
+
+    fn momenta(&self) -> Result<Tape, Error> {
+        let (method, id) = (self.method.card().id, self.card.id);
+        let Some(momenta) = precess_system::momenta(self.system, &self.values, &self.layout) else {
+            return input(format!(
+                "method '{method}' needs a Lagrangian, and {id} has none: implicit_midpoint takes any system"
+            ));
+        };
+        // At the start and beside it, since a body at rest shows no friction.
+        for shift in [0.0, 0.1, -0.2] {
+            let y: Vec<f64> = self.start.iter().map(|x| x + shift).collect();
+            let missed =
+                precess_system::beside_the_lagrangian(self.system, &self.values, &self.layout, &momenta, &y);
+            if missed > BESIDE {
+                return input(format!(
+                    "method '{method}' needs forces that are all in the Lagrangian, and in {id} there are others: \
+                     implicit_midpoint takes any system (friction set to zero may help)"
+                ));
+            }
+        }
+        Ok(momenta)
     }
 
     fn read_run(&mut self, run: &[(String, Value)]) -> Result<(), Error> {

@@ -1,8 +1,8 @@
 //! Names and units held against a card.
 
 use crate::error::{Error, input, quoted, unknown};
-use crate::plan::{PanelPlan, Plan, Watch};
-use crate::scenario::{EventSpec, FigureSpec};
+use crate::plan::{Plan, Watch};
+use crate::scenario::EventSpec;
 use crate::value::{self, Value};
 use precess_system::{AnySystem, Card, Default, Direction, Given, Layout, Parameter, Quantity, Values};
 
@@ -135,14 +135,4 @@ pub(crate) fn watch(plan: &Plan, event: &EventSpec) -> Result<Watch, Error> {
     let direction = direction(event.direction.as_deref().unwrap_or("either")).map_err(at)?;
     let name = event.name.clone().unwrap_or_else(|| event.when.clone());
     Ok(Watch { name, column, value, direction, stop: event.stop })
-}
-
-/// A panel's columns.
-pub(crate) fn panel(plan: &Plan, figure: &FigureSpec) -> Result<PanelPlan, Error> {
-    Ok(PanelPlan {
-        title: figure.title.clone(),
-        x: column(plan, figure.x.as_deref().unwrap_or("t"))?,
-        y: figure.y.iter().map(|name| column(plan, name)).collect::<Result<_, _>>()?,
-        equal_scales: figure.equal_scales,
-    })
 }

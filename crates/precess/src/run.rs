@@ -62,7 +62,7 @@ impl<'a> Runner<'a> {
         let job = Drive {
             field: self.field.as_ref(),
             method: plan.method,
-            options: plan.options,
+            options: plan.options.clone(),
             start,
             samples: Samples::new(plan.until, plan.every),
             pace: pace(plan),

@@ -1,11 +1,18 @@
 //! A scenario: what to run, as a person writes it. `docs/scenarios.md` describes the file.
 
+mod family;
+mod figure;
+mod reading;
+
+pub use family::FamilySpec;
+pub(crate) use figure::STROKES;
+pub use figure::{FigureKind, FigureSpec};
+
 use crate::error::{Error, input, quoted, unknown};
-use crate::value::{self, Value};
+use crate::value::Value;
 use precess_integrate::Kind;
-use std::borrow::Cow;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use reading::{as_table, entries, flag, integer, line_of, read, tables, values, word};
+use toml::de::DeTable;
 
 /// What to run. Names and units are held against the card by [`Plan`](crate::Plan).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,11 +33,15 @@ pub struct Scenario {
     pub run: Vec<(String, Value)>,
     /// Watched crossings.
     pub events: Vec<EventSpec>,
+    /// Name of the run in the legends of its pictures.
+    pub label: String,
+    /// More trajectories in the same pictures.
+    pub families: Vec<FamilySpec>,
     /// Panels of the picture; the card's views where there are none.
     pub figures: Vec<FigureSpec>,
 }
 
-/// The heading in French, and what to notice, in both languages; each may be empty.
+/// The heading in French, what to notice, in both languages, and where it comes from; each may be empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Words {
     /// Heading.
@@ -39,6 +50,8 @@ pub struct Words {
     pub note: String,
     /// The same.
     pub note_fr: String,
+    /// The book, paper or figure that it comes from.
+    pub source: String,
 }
 
 /// A watched crossing: `when = "theta = 0"`.
@@ -54,25 +67,14 @@ pub struct EventSpec {
     pub stop: bool,
 }
 
-/// A panel: quantities against one another.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FigureSpec {
-    /// Heading.
-    pub title: String,
-    /// Horizontal quantity; `t` where absent.
-    pub x: Option<String>,
-    /// Vertical quantities.
-    pub y: Vec<String>,
-    /// Both axes to the same scale.
-    pub equal_scales: bool,
-}
-
 /// The newest format that is understood.
 const FORMAT: &str = "1";
 
 /// What stands at the top of a file.
-const KEYS: [&str; 10] =
-    ["precess", "title", "title_fr", "note", "note_fr", "system", "start", "run", "event", "figure"];
+const KEYS: [&str; 13] = [
+    "precess", "title", "title_fr", "note", "note_fr", "source", "label", "system", "start", "run", "event",
+    "family", "figure",
+];
 
 impl Scenario {
     /// A larger file is no scenario.
@@ -106,10 +108,13 @@ impl Scenario {
                 "title_fr" => scenario.text.title_fr = word(value).map_err(at)?,
                 "note" => scenario.text.note = word(value).map_err(at)?,
                 "note_fr" => scenario.text.note_fr = word(value).map_err(at)?,
+                "source" => scenario.text.source = word(value).map_err(at)?,
+                "label" => scenario.label = word(value).map_err(at)?,
                 "system" => scenario.read_system(text, as_table(value).map_err(at)?)?,
                 "start" => scenario.start = values(text, as_table(value).map_err(at)?)?,
                 "run" => scenario.read_run(text, as_table(value).map_err(at)?)?,
                 "event" => scenario.events = tables(value, EventSpec::read).map_err(at)?,
+                "family" => scenario.families = tables(value, FamilySpec::read).map_err(at)?,
                 "figure" => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
                 other => {
                     return Err(at(unknown("key", other, KEYS)));
@@ -207,96 +212,5 @@ impl EventSpec {
             return input("[[event]] needs a crossing to watch, such as when = \"theta = 0\"");
         }
         Ok(event)
-    }
-}
-
-impl FigureSpec {
-    fn read(table: &DeTable) -> Result<Self, Error> {
-        let mut figure = Self::default();
-        for (key, value) in entries(table) {
-            match key.get_ref().as_ref() {
-                "title" => figure.title = word(value)?,
-                "x" => figure.x = Some(word(value)?),
-                "y" => {
-                    figure.y = match value {
-                        DeValue::Array(names) => {
-                            names.iter().map(|n| word(n.get_ref())).collect::<Result<_, _>>()?
-                        }
-                        one => vec![word(one)?],
-                    }
-                }
-                "equal_scales" => figure.equal_scales = flag(value)?,
-                other => {
-                    return Err(unknown("key", other, ["title", "x", "y", "equal_scales"]).at("[[figure]]"));
-                }
-            }
-        }
-        if figure.y.is_empty() {
-            return input("[[figure]] needs quantities to draw, such as y = [\"theta\", \"energy\"]");
-        }
-        Ok(figure)
-    }
-}
-
-/// The entries of a table in the order of the file, so that the first mistake is the one reported.
-fn entries<'a, 'i>(table: &'a DeTable<'i>) -> Vec<(&'a Spanned<Cow<'i, str>>, &'a DeValue<'i>)> {
-    let mut entries: Vec<_> = table.iter().map(|(key, value)| (key, value.get_ref())).collect();
-    entries.sort_by_key(|(key, _)| key.span().start);
-    entries
-}
-
-fn line_of(text: &str, offset: usize) -> usize {
-    text.as_bytes().iter().take(offset).filter(|b| **b == b'\n').count() + 1
-}
-fn kind<T>(wanted: &str, value: &DeValue) -> Result<T, Error> {
-    input(format!("{wanted} is needed here, not {}", value.type_str()))
-}
-fn as_table<'a, 'i>(value: &'a DeValue<'i>) -> Result<&'a DeTable<'i>, Error> {
-    value.as_table().map_or_else(|| kind("a table", value), Ok)
-}
-fn tables<T>(value: &DeValue, read: impl Fn(&DeTable) -> Result<T, Error>) -> Result<Vec<T>, Error> {
-    let Some(items) = value.as_array() else { return kind("a list of tables ([[...]])", value) };
-    items.iter().map(|item| read(as_table(item.get_ref())?)).collect()
-}
-fn word(value: &DeValue) -> Result<String, Error> {
-    value.as_str().map_or_else(|| kind("a text in quotes", value), |s| Ok(s.to_string()))
-}
-fn flag(value: &DeValue) -> Result<bool, Error> {
-    value.as_bool().map_or_else(|| kind("true or false", value), Ok)
-}
-fn integer(value: &DeValue) -> Result<String, Error> {
-    value.as_integer().map_or_else(|| kind("a whole number", value), |n| Ok(n.as_str().to_string()))
-}
-fn values(text: &str, table: &DeTable) -> Result<Vec<(String, Value)>, Error> {
-    let read = entries(table).into_iter().map(|(key, value)| {
-        let at = |e: Error| e.at(&format!("line {}: {}", line_of(text, key.span().start), key.get_ref()));
-        Ok((key.get_ref().to_string(), read(value).map_err(at)?))
-    });
-    read.collect()
-}
-
-/// A value: a number, a text such as "30 deg", a list.
-fn read(value: &DeValue) -> Result<Value, Error> {
-    match value {
-        DeValue::Integer(n) => number(n.as_str(), n.radix()),
-        DeValue::Float(x) => number(x.as_str(), 10),
-        DeValue::String(text) => value::parse(text),
-        DeValue::Boolean(flag) => Ok(Value::Word(flag.to_string())),
-        DeValue::Array(items) => {
-            items.iter().map(|i| read(i.get_ref())).collect::<Result<_, _>>().map(Value::List)
-        }
-        other => kind("a number, a text or a list", other),
-    }
-}
-fn number(digits: &str, radix: u32) -> Result<Value, Error> {
-    let digits = digits.replace('_', "");
-    let parsed = if radix == 10 {
-        digits.parse::<f64>().ok()
-    } else {
-        i64::from_str_radix(&digits, radix).ok().map(|n| n as f64)
-    };
-    match parsed {
-        Some(x) if x.is_finite() => Ok(Value::number(x)),
-        _ => input(format!("{} is not a finite number", quoted(&digits))),
     }
 }

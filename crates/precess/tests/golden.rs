@@ -59,7 +59,7 @@ fn plans(steps: f64) -> Vec<Plan> {
             match Plan::new(&scenario) {
                 Ok(plan) => plans.push(plan),
                 // The only reason to leave a pair out is that the method says it does not fit.
-                Err(refusal) => assert_eq!(method.needs, Needs::Separable, "{}: {refusal}", card.id),
+                Err(refusal) => assert_ne!(method.needs, Needs::Any, "{}: {refusal}", card.id),
             }
         }
     }
@@ -118,7 +118,9 @@ fn in_lanes(plan: &Plan, golden: &str) -> Result<(), String> {
 fn every_system_and_every_method_gives_the_golden_bits_in_lanes() {
     for golden in files() {
         let lines = golden.read();
-        for plan in &plans(golden.steps) {
+        // Among 19 neighbours, several times over: the long runs by the quickest method alone.
+        let is_short = golden.file == "short.txt";
+        for plan in plans(golden.steps).iter().filter(|plan| is_short || plan.method.card().id == "rk4") {
             let start = format!("{} {} ", plan.card.id, plan.method.card().id);
             let line = lines.lines().find(|line| line.starts_with(&start)).expect("a golden line");
             let hash = line.split(' ').next_back().expect("a hash");

@@ -157,6 +157,8 @@ impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
 pub trait Rates<S: Scalar> {
     /// The rates of a full state, and the event functions there.
     fn rates(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> (Vec<S>, Vec<S>);
+    /// The Lagrangian, where there is one.
+    fn lagrangian(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Option<S>;
 }
 
 impl<M: System, S: Scalar> Rates<S> for M {
@@ -167,6 +169,11 @@ impl<M: System, S: Scalar> Rates<S> for M {
         let mut crossings = vec![S::from(0.0); bound.shape.events];
         self.crossings(&bound.state(t, y), &mut crossings);
         (rates, crossings)
+    }
+
+    fn lagrangian(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Option<S> {
+        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        System::lagrangian(self, &bound.state(t, y))
     }
 }
 

@@ -4,7 +4,9 @@
 //! the number. [`Field`] is the one seam where the system's type is forgotten and the number's is kept.
 
 mod card;
+mod expression;
 mod field;
+mod hamilton;
 mod layout;
 mod quantity;
 mod state;
@@ -16,7 +18,9 @@ mod units;
 mod values;
 
 pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
+pub use expression::expression;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
+pub use hamilton::{beside_the_lagrangian, momenta};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
 pub use state::State;

@@ -6,6 +6,7 @@ mod dop853;
 mod dopri5;
 mod euler;
 mod euler_cromer;
+mod euler_cromer_implicit;
 mod euler_taylor;
 mod gauss_legendre16;
 mod gauss_legendre4;
@@ -13,7 +14,9 @@ mod gauss_legendre6;
 mod glide;
 mod implicit_midpoint;
 mod newmark;
+mod radau5;
 mod rk4;
+mod taylor;
 mod tsit5;
 mod verlet;
 mod yoshida4;
@@ -30,6 +33,7 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &euler::Euler,
     &euler_taylor::EulerTaylor,
     &euler_cromer::EulerCromer,
+    &euler_cromer_implicit::EulerCromerImplicit,
     &verlet::Verlet,
     &yoshida4::Yoshida4,
     &yoshida6::Yoshida6,
@@ -43,4 +47,6 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &dopri5::Dopri5,
     &tsit5::Tsit5,
     &dop853::Dop853,
+    &radau5::Radau5,
+    &taylor::Taylor,
 ];

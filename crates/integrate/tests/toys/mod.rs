@@ -1,9 +1,12 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
-use precess_integrate::{AnyMethod, METHODS, NoConvergence, Options, Step, Stepper, Steps};
-use precess_scalar::Scalar;
+use precess_integrate::{
+    AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
+};
+use precess_scalar::{Scalar, Tape};
 use precess_system::{Field, Shape};
+use std::sync::Arc;
 
 /// A system's equations, over every number.
 pub trait Toy: Send + Sync {
@@ -29,6 +32,23 @@ pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound
         rows: 1,
     };
     Bound { toy, shape }
+}
+
+/// A field whose equations can be written down.
+pub trait Known: Field<f64> {
+    /// The defaults, and the equations.
+    fn options(&self) -> Options;
+}
+impl<T: Toy> Known for Bound<T> {
+    fn options(&self) -> Options {
+        let full = self.shape.full();
+        let tape = Tape::record(1 + full, |x| {
+            let mut rates = x[1..].to_vec();
+            self.toy.rate(x[0], &x[1..], &mut rates);
+            rates
+        });
+        Options { equations: Some(Arc::new(tape)), ..Options::default() }
+    }
 }
 
 impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
@@ -138,6 +158,11 @@ impl Toy for BlowUp {
 }
 pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
+}
+
+/// The methods that run on a toy, which has no Lagrangian.
+pub fn methods() -> impl Iterator<Item = &'static MethodCard> {
+    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::Lagrangian)
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {

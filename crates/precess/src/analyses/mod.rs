@@ -1,10 +1,12 @@
 //! Questions beyond a run, asked of a scenario; each gives an [`Answer`] that any face can show.
 
 mod lyapunov;
+mod panel;
 mod poincare;
 mod subject;
 
 pub use lyapunov::lyapunov;
+pub(crate) use panel::panel;
 pub use poincare::{PoincareSpec, poincare};
 
 use crate::figure::Figure;

@@ -4,7 +4,7 @@ use super::subject::{Subject, forwards, period};
 use super::{Answer, Progress};
 use crate::canonical::scenario_toml;
 use crate::error::{Error, input, quoted};
-use crate::figure::{Curve, Figure, Panel};
+use crate::figure::{Curve, Figure, Panel, Stroke};
 use crate::picture::{axis, subtitle};
 use crate::plan::Plan;
 use crate::resolve;
@@ -40,23 +40,7 @@ struct Cut {
 /// Where the scenario or the section makes no sense.
 pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) -> Result<Answer, Error> {
     let plan = Plan::new(scenario)?;
-    forwards(&plan)?;
-    let cut = cut(&plan, &spec.section)?;
-    let direction = resolve::direction(spec.direction.as_deref().unwrap_or("either"))?;
-    let subject = Subject::new(&plan);
-    let mut share = |t: f64| progress(t / plan.until);
-    let flow = subject.flow(&mut share);
-    let (crossings, failure): Crossings = match (cut.column, cut.period) {
-        (0, Some(period)) => {
-            let first = cut.value - (cut.value / period).floor() * period;
-            strobe(&flow, &plan.start, plan.until, (first, period))
-        }
-        (column, period) => {
-            let quantity = quantity(&plan, subject.field.as_ref(), column);
-            let at = Section { quantity: &quantity, value: cut.value, period, direction };
-            section(&flow, &plan.start, plan.until, &at)
-        }
-    };
+    let ((crossings, failure), panel) = of_plan(&plan, spec, progress)?;
     let state = plan.layout.shape().state();
     let table = Trajectory {
         columns: columns(&plan)[..=state].to_vec(),
@@ -66,20 +50,6 @@ pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) ->
             .collect(),
         events: vec![],
     };
-    let [x, y] = axes(&plan, &cut, spec)?;
-    let quantities = plan.columns();
-    let of = |k: usize| {
-        let quantity = quantity(&plan, subject.field.as_ref(), k);
-        // A gap behind every point: they are drawn as points.
-        crossings.iter().flat_map(|c| [quantity(c.t, &c.state), f64::NAN]).collect::<Vec<f64>>()
-    };
-    let panel = Panel {
-        title: format!("Section {}", spec.section.trim()),
-        x_label: axis(&quantities[x]),
-        y_label: axis(&quantities[y]),
-        curves: vec![Curve { x: of(x), y: of(y), ..Curve::default() }],
-        ..Panel::default()
-    };
     let figure = Figure {
         title: plan.title.clone(),
         subtitle: subtitle(&plan),
@@ -88,6 +58,45 @@ pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) ->
     };
     let summary = vec![format!("{} passages through {}", crossings.len(), spec.section.trim())];
     Ok(Answer { table, figure, summary, failure: failure.map(|f| f.to_string()) })
+}
+
+/// The passages of a plan's motion, and their panel.
+pub(super) fn of_plan(
+    plan: &Plan,
+    spec: &PoincareSpec,
+    progress: Progress,
+) -> Result<(Crossings, Panel), Error> {
+    forwards(plan)?;
+    let cut = cut(plan, &spec.section)?;
+    let direction = resolve::direction(spec.direction.as_deref().unwrap_or("either"))?;
+    let subject = Subject::new(plan);
+    let mut share = |t: f64| progress(t / plan.until);
+    let flow = subject.flow(&mut share);
+    let found: Crossings = match (cut.column, cut.period) {
+        (0, Some(period)) => {
+            let first = cut.value - (cut.value / period).floor() * period;
+            strobe(&flow, &plan.start, plan.until, (first, period))
+        }
+        (column, period) => {
+            let quantity = quantity(plan, subject.field.as_ref(), column);
+            let at = Section { quantity: &quantity, value: cut.value, period, direction };
+            section(&flow, &plan.start, plan.until, &at)
+        }
+    };
+    let [x, y] = axes(plan, &cut, spec)?;
+    let quantities = plan.columns();
+    let of = |k: usize| {
+        let quantity = quantity(plan, subject.field.as_ref(), k);
+        found.0.iter().map(|c| quantity(c.t, &c.state)).collect::<Vec<f64>>()
+    };
+    let panel = Panel {
+        title: format!("Section {}", spec.section.trim()),
+        x_label: axis(&quantities[x]),
+        y_label: axis(&quantities[y]),
+        curves: vec![Curve { x: of(x), y: of(y), stroke: Stroke::Dots, ..Curve::default() }],
+        ..Panel::default()
+    };
+    Ok((found, panel))
 }
 
 /// `theta = 0 mod 2*pi`.

@@ -35,7 +35,7 @@ impl<'a> Subject<'a> {
             tangents: self.tangents.as_ref(),
             directions: &self.directions,
             method: self.plan.method,
-            options: self.plan.options,
+            options: self.plan.options.clone(),
             pace: pace(self.plan),
             progress: RefCell::new(progress),
         }

@@ -138,6 +138,56 @@ fn the_scenarios_that_come_with_the_program_are_right() {
     }
 }
 
+/// A scenario with more text behind a plain pendulum.
+fn pendulum_with(more: &str) -> Result<Plan, String> {
+    let text = format!("precess = 1\n[system]\nid = \"pendulum\"\n{more}");
+    Scenario::parse(&text).and_then(|s| Plan::new(&s)).map_err(|e| e.to_string())
+}
+
+#[test]
+fn families_are_lines_of_starts_and_lists_of_parameters() {
+    let plan = pendulum_with(
+        "[[family]]\nlabel = \"{theta}\"\nstart = { theta = \"-1:1:5\", theta_dot = 2 }\n\
+         [[family]]\nparameters = { l = [1, 2] }\nboth_ways = true\n\
+         [[family]]\nsystem = \"harmonic_oscillator\"\nnames = { theta = \"x\" }\nrun = { method = \"rk4\", dt = 0.1 }",
+    );
+    let plan = plan.unwrap_or_else(|e| panic!("{e}"));
+    let starts: Vec<Vec<f64>> = plan.members.iter().map(|m| m.plan.start.clone()).collect();
+    assert_eq!(starts[..5], [-1.0, -0.5, 0.0, 0.5, 1.0].map(|x| vec![x, 2.0]));
+    assert_eq!(plan.members[1].label, "-0.5");
+    let lengths: Vec<_> =
+        plan.members[5..7].iter().map(|m| m.plan.values.number(&m.plan.card, "l")).collect();
+    assert_eq!(lengths, [Some(1.0), Some(2.0)]);
+    assert_eq!((plan.members.len(), plan.members[7].plan.card.id == "harmonic_oscillator"), (8, true));
+}
+
+#[test]
+fn a_family_or_panel_that_makes_no_sense_is_told_apart() {
+    let wrong = [
+        ("[[family]]\nstarts = { theta = 1 }", "did you mean 'start'"),
+        ("[[family]]\nstart = { teta = 1 }", "did you mean 'theta'"),
+        ("[[family]]\nstart = { theta = [] }", "empty"),
+        ("[[family]]\nstart = { theta = \"0:1:1\" }", "between 2 and"),
+        ("[[family]]\nstart = { theta = \"0:1:99999999\" }", "between 2 and"),
+        ("[[family]]\nstart = { theta = [1, 2], theta_dot = [1, 2, 3] }", "go together"),
+        ("[[family]]\nlabel = \"{l}\"\nstart = { theta = 1 }", "braces"),
+        ("[[family]]\nsystem = \"pendulm\"", "did you mean 'pendulum'"),
+        ("[[family]]\nnames = { theta = \"speed\" }", "quantity of pendulum"),
+        ("[[family]]\nstyle = \"dot\"", "did you mean 'dots'"),
+        ("[[figure]]\ny = \"thet\"", "did you mean 'theta'"),
+        ("[[figure]]\ny = \"theta\"\nof = \"others\"", "known are run"),
+        ("[[figure]]\ny = \"theta\"\nx_range = [2, 1]", "2 is not below 1"),
+        ("[[figure]]\ny = \"theta\"\nx_range = [1]", "two values"),
+        ("[[figure]]\ny = \"theta\"\nbetween = [\"0 m\", 1]", "a value in s"),
+        ("[[figure]]\nkind = \"curve\"", "did you mean 'curves'"),
+        ("[[figure]]\ny = [\"theta\", \"energy\"]\nx = [\"t\", \"t\", \"t\"]", "one x for all"),
+    ];
+    for (text, part) in wrong {
+        let Err(said) = pendulum_with(text) else { panic!("understood: {text}") };
+        assert!(said.contains(part) && !said.contains('\n'), "{text}: {said}");
+    }
+}
+
 /// A scenario of the project with a few bytes changed, cut or doubled.
 fn damaged() -> impl Strategy<Value = Vec<u8>> {
     let count = scenarios::all().len();

@@ -5,7 +5,7 @@
 //!
 //! * `number` is the number the equation sees, `node` what one operation is,
 //! * `recorder` shares equal operations, `exact` and `algebra` fold what folds,
-//! * `tape` is the finished expression, `replay` runs it,
+//! * `tape` is the finished expression, `replay` runs it, `taylor` expands the solution of an equation with it,
 //! * `print` asks `definitions` what deserves a name, `view`, `product` and `constant` how terms are arranged,
 //!   and `text` or `latex` (and `condition` for both) to write them.
 
@@ -22,6 +22,7 @@ mod product;
 mod recorder;
 mod replay;
 mod tape;
+mod taylor;
 mod text;
 mod view;
 
@@ -29,3 +30,4 @@ pub use number::Traced;
 pub use print::{Notation, Printed};
 pub use replay::Workspace;
 pub use tape::Tape;
+pub use taylor::Taylor;

@@ -2,7 +2,7 @@
 
 /// An operation; its operands are positions of earlier nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Node {
+pub(in crate::traced) enum Node {
     /// A literal, by its bits, so that two zeros differ and a NaN equals itself.
     Constant(u64),
     Input(u32),

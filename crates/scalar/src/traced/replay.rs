@@ -124,7 +124,8 @@ pub(super) fn compute<S: Scalar>(node: Node, nodes: &[Node], values: &[Value<S>]
     })
 }
 
-fn unary<S: Scalar>(f: Unary, x: S) -> S {
+#[inline(always)]
+pub(super) fn unary<S: Scalar>(f: Unary, x: S) -> S {
     match f {
         Unary::Neg => -x,
         Unary::Sqrt => x.sqrt(),
@@ -144,7 +145,8 @@ fn unary<S: Scalar>(f: Unary, x: S) -> S {
     }
 }
 
-fn binary<S: Scalar>(f: Binary, x: S, y: S) -> S {
+#[inline(always)]
+pub(super) fn binary<S: Scalar>(f: Binary, x: S, y: S) -> S {
     match f {
         Binary::Add => x + y,
         Binary::Sub => x - y,

@@ -102,6 +102,22 @@ impl Tape {
         needed
     }
 
+    /// For each node, whether an output is computed from it other than by a condition.
+    pub(super) fn beside_conditions(&self) -> Vec<bool> {
+        let mut needed = vec![false; self.nodes.len()];
+        for &root in &self.outputs {
+            needed[root as usize] = true;
+        }
+        for i in (0..self.nodes.len()).rev() {
+            match self.nodes[i] {
+                _ if !needed[i] => {}
+                Node::Select(_, a, b) => (needed[a as usize], needed[b as usize]) = (true, true),
+                node => node.operands().for_each(|at| needed[at as usize] = true),
+            }
+        }
+        needed
+    }
+
     /// Whether an output is computed from an input (as written: `0 * x` depends on `x`).
     ///
     /// # Panics

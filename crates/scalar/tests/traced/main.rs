@@ -5,3 +5,4 @@ mod mechanics;
 mod printing;
 mod random;
 mod replay;
+mod taylor;
