@@ -90,18 +90,19 @@ lint: cargo
 golden: cargo
 	PRECESS_BLESS=1 $(CARGO) test -p precess --test golden
 
-# Two builds of the same core, with and without lanes of 128 bits. Never relaxed SIMD: its results differ between
+# Builds of the same core, with and without lanes of 128 bits, and one that holds the lab's first page alone. Never relaxed SIMD: its results differ between
 # machines. A folder for each, so that neither build makes the other one stale; no path of this machine in the file.
 # A file that did not change is left alone, so that the lab is not built anew from it.
 wasm: wasm-target
 	@mkdir -p web/wasm
-	@$(call build-wasm,precess,)
-	@$(call build-wasm,precess-simd128,-C target-feature=+simd128)
+	@$(call build-wasm,precess,,wasm)
+	@$(call build-wasm,precess-simd128,-C target-feature=+simd128,wasm)
+	@$(call build-wasm,precess-first,,wasm-first,--features first)
 
 build-wasm = CARGO_TARGET_$(shell echo $(WASM) | tr a-z- A-Z_)_RUSTFLAGS="$(2) --remap-path-prefix=$${CARGO_HOME:-$$HOME/.cargo}=cargo" \
-	$(CARGO) build --quiet --profile wasm -p precess-wasm --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
-	&& { cmp -s $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm \
-	|| cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm; }
+	$(CARGO) build --quiet --profile $(3) -p precess-wasm $(4) --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
+	&& { cmp -s $(CARGO_TARGET_DIR)/$(1)/$(WASM)/$(3)/precess_wasm.wasm web/wasm/$(1).wasm \
+	|| cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/$(3)/precess_wasm.wasm web/wasm/$(1).wasm; }
 
 wasm-target: cargo
 	@test -d "$$(rustc --print target-libdir --target $(WASM))" || rustup target add $(WASM) || \

@@ -15,6 +15,9 @@ mod waterwheels;
 
 use precess_system::AnySystem;
 
+/// What the lab shows first: a core with nothing else loads fast.
+pub static FIRST: &[&dyn AnySystem] = &[&tops::gyroscope::Gyroscope];
+
 /// Every system, in the order in which a catalogue shows them.
 ///
 /// A static, not a constant: every crate that uses a constant would compile all systems once more.

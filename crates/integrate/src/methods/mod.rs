@@ -27,6 +27,9 @@ mod yoshida8;
 
 use crate::AnyMethod;
 
+/// What the lab's first page runs by.
+pub static FIRST: &[&dyn AnyMethod] = &[&dop853::Dop853];
+
 /// Every method, in the order in which a catalogue shows them.
 pub static METHODS: &[&dyn AnyMethod] = &[
     &euler::Euler,
