@@ -85,7 +85,7 @@ impl Field<f64> for Tangents<'_> {
             for (j, number) in state.iter_mut().enumerate() {
                 *number = Dual::new(start[shape.place(0, j)], start[shape.place(row, j)]);
             }
-            self.field.solution(from, state, t, end);
+            self.fields[row - 1].solution(from, state, t, end);
             for (j, number) in end.iter().enumerate() {
                 y[shape.place(row, j)] = number.slope;
                 y[shape.place(0, j)] = number.value;
