@@ -114,8 +114,8 @@ fn over_three<S: Scalar>(nodes: [Complex<S>; 3], [ab, bc, ca]: [Complex<S>; 3]) 
     Complex::select(spread.lt(S::from(0.01)), series(nodes), far)
 }
 
-/// e^m (h_0 / 2! + h_1 / 3! + h_2 / 4! + ...), with m the mean of the nodes and h_k the complete symmetric polynomials of
-/// their distances from it: h_k = -e_2 h_(k-2) + e_3 h_(k-3).
+/// `e^m (h_0 / 2! + h_1 / 3! + h_2 / 4! + ...)`, with m the mean of the nodes and `h_k` the complete symmetric polynomials of
+/// their distances from it: `h_k = -e_2 h_(k-2) + e_3 h_(k-3)`.
 #[inline(always)]
 fn series<S: Scalar>(nodes: [Complex<S>; 3]) -> Complex<S> {
     const TERMS: u32 = 9;

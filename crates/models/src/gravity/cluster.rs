@@ -60,7 +60,7 @@ impl System for Cluster {
 
     #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
-        self.accelerations(s, highest);
+        accelerations(s, highest);
         if s.choice(0) == AS_PRINTED {
             let (heavy, asteroids) = highest.split_at_mut(2 * HEAVY);
             for [x, y] in asteroids.as_chunks_mut().0 {
@@ -74,7 +74,7 @@ impl System for Cluster {
     fn drift<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) -> bool {
         let as_printed = s.choice(0) == AS_PRINTED;
         if as_printed {
-            self.accelerations(s, highest);
+            accelerations(s, highest);
         }
         as_printed
     }
@@ -117,26 +117,25 @@ impl System for Cluster {
     }
 }
 
-impl Cluster {
-    #[inline(always)]
-    fn accelerations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
-        let ([k], [x0, y0, x1, y1]) = (s.p(), s.q());
-        let (pull_0, pull_1) = (k * s.list(0)[0], k * s.list(0)[1]);
-        let (heavy, asteroids) = highest.split_at_mut(2 * HEAVY);
-        let [x, y, weight] = towards([x0, y0], [x1, y1]);
-        heavy.copy_from_slice(&[
-            pull_1 * x * weight,
-            pull_1 * y * weight,
-            -(pull_0 * x * weight),
-            -(pull_0 * y * weight),
-        ]);
-        let places = s.coordinates[2 * HEAVY..].as_chunks().0;
-        for (a, &place) in asteroids.as_chunks_mut().0.iter_mut().zip(places) {
-            let [x, y, weight] = towards(place, [x0, y0]);
-            let [u, v, lighter] = towards(place, [x1, y1]);
-            let (weight, lighter) = (pull_0 * weight, pull_1 * lighter);
-            *a = [x * weight + u * lighter, y * weight + v * lighter];
-        }
+/// What the two heavy bodies do to each other and to the asteroids.
+#[inline(always)]
+fn accelerations<S: Scalar>(s: &State<S>, highest: &mut [S]) {
+    let ([k], [x0, y0, x1, y1]) = (s.p(), s.q());
+    let (pull_0, pull_1) = (k * s.list(0)[0], k * s.list(0)[1]);
+    let (heavy, asteroids) = highest.split_at_mut(2 * HEAVY);
+    let [x, y, weight] = towards([x0, y0], [x1, y1]);
+    heavy.copy_from_slice(&[
+        pull_1 * x * weight,
+        pull_1 * y * weight,
+        -(pull_0 * x * weight),
+        -(pull_0 * y * weight),
+    ]);
+    let places = s.coordinates[2 * HEAVY..].as_chunks().0;
+    for (a, &place) in asteroids.as_chunks_mut().0.iter_mut().zip(places) {
+        let [x, y, weight] = towards(place, [x0, y0]);
+        let [u, v, lighter] = towards(place, [x1, y1]);
+        let (weight, lighter) = (pull_0 * weight, pull_1 * lighter);
+        *a = [x * weight + u * lighter, y * weight + v * lighter];
     }
 }
 

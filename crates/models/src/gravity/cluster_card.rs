@@ -7,6 +7,7 @@ pub(super) const HEAVY: usize = 2;
 /// More asteroids than this fit no memory.
 const MOST: f64 = 1e6;
 /// What P's program takes for 2 pi.
+#[allow(clippy::approx_constant, reason = "as printed")]
 const TURN: f64 = 6.28;
 /// Place and velocity of body 1 in P's program, about which the rings are set.
 const CENTRE: [f64; 4] = [200.0, 220.0, -0.5, -0.8];
