@@ -101,6 +101,6 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
 
 /// Whether the equations of these states were given, and not those of others, where the method needs them.
 fn knows_equations(run: &Drive) -> bool {
-    matches!(run.method.card().needs, Needs::Any | Needs::Separable)
+    matches!(run.method.card().needs, Needs::Any | Needs::Separable | Needs::ClosedForm)
         || run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == run.field.shape().full() + 1)
 }

@@ -83,7 +83,7 @@ fn the_parametric_oscillator_is_not_chaotic() {
     }
 }
 
-/// "A parabolic orbit": body 1 is faster than its escape speed, its orbit a hyperbola of e = 2.03.
+/// "A parabolic orbit": body 1 is faster than its escape speed, its orbit a hyperbola of e = 1.09.
 #[test]
 fn the_passing_body_is_on_a_hyperbola() {
     let start = go("cluster", &[("--until", "1"), ("--every", "1")]).trajectory;
