@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import threading
-from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -112,6 +111,8 @@ def _side_by_side(
     told: Told | None,
 ) -> Iterator[_core.Members]:
     """Give the parts in order, computed by so many threads; whatever ends the loop ends them all."""
+    from concurrent.futures import ThreadPoolExecutor
+
     ended = threading.Event()
 
     def go_on(_: float) -> None:
