@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import functools
+import os
+import threading
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,8 @@ import numpy as np
 from . import _core
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+
     from ._core import Floats
     from ._progress import Told
     from ._scenario import Scenario
@@ -64,35 +67,69 @@ class Sweep(NamedTuple):
         return self._replace(axes=axes), 0, last - first
 
     def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
-        """Run the members from one number to another. Those with the same parameters go side by side in lanes."""
+        """Run the members from one number to another.
+
+        Those with the same parameters go together, side by side in lanes; where there are many parameters, each thread
+        takes one after another.
+        """
         plan = self.scenario._plan  # noqa: SLF001
         known = plan.parameters
         is_parameter = np.array([name in known for name in self.axes])
-        starts = [name for name in self.axes if name not in known]
         swept = [name for name in self.axes if name in known]
         rows = self.rows(first, last)
         sets, group = np.unique(rows[:, is_parameter], axis=0, return_inverse=True)
-        numbers: Floats | None = None
-        failures: dict[int, str] = {}
-        done = 0
-        for number, values in enumerate(sets):
-            mine = np.flatnonzero(group.reshape(-1) == number)
-            own = (
-                plan.changed(dict(zip(swept, values.tolist(), strict=True)), {}, None, {}) if swept else plan
+        order = np.argsort(group.reshape(-1), kind="stable")
+        groups = np.split(order, np.cumsum(np.bincount(group.reshape(-1)))[:-1])
+        starts = [name for name in self.axes if name not in known]
+
+        def part(number: int, threads: int | None, told: Told | None) -> _core.Members:
+            changes = dict(zip(swept, sets[number].tolist(), strict=True))
+            own = plan.changed(changes, {}, None, {}) if swept else plan
+            return own.ensemble(
+                starts, rows[np.ix_(groups[number], ~is_parameter)], self.samples, threads, told
             )
-            more = told and functools.partial(_told_more, told, done)
-            part = own.ensemble(starts, rows[np.ix_(mine, ~is_parameter)], self.samples, threads, more)
-            if numbers is None:
-                numbers = np.empty((len(rows), *part.numbers.shape[1:]))
-            numbers[mine] = part.numbers
-            failures |= {int(mine[member]): why for member, why in part.failures}
-            done += len(mine)
-        assert numbers is not None, "an axis has at least one value"  # noqa: S101
-        return Members(part.times, numbers, dict(sorted(failures.items())))
+
+        if len(groups) == 1:
+            parts: Iterable[_core.Members] = [part(0, threads, told)]
+        else:
+            parts = _side_by_side(part, [len(mine) for mine in groups], threads or os.cpu_count() or 1, told)
+        numbers: Floats = np.empty(0)
+        failures: dict[int, str] = {}
+        for mine, done in zip(groups, parts, strict=True):
+            if numbers.size == 0:
+                numbers = np.empty((len(rows), *done.numbers.shape[1:]))
+                times = done.times
+            numbers[mine] = done.numbers
+            failures |= {int(mine[member]): why for member, why in done.failures}
+        return Members(times, numbers, dict(sorted(failures.items())))
 
 
-def _told_more(told: Told, before: int, done: float) -> None:
-    told(before + done)
+def _side_by_side(
+    part: Callable[[int, int | None, Told | None], _core.Members],
+    sizes: list[int],
+    threads: int,
+    told: Told | None,
+) -> Iterator[_core.Members]:
+    """Give the parts in order, computed by so many threads; whatever ends the loop ends them all."""
+    from concurrent.futures import ThreadPoolExecutor
+
+    ended = threading.Event()
+
+    def go_on(_: float) -> None:
+        if ended.is_set():
+            raise InterruptedError
+
+    pool = ThreadPoolExecutor(threads)
+    try:
+        done = 0
+        for size, found in zip(sizes, pool.map(lambda k: part(k, 1, go_on), range(len(sizes))), strict=True):
+            done += size
+            if told is not None:
+                told(done)
+            yield found
+    finally:
+        ended.set()
+        pool.shutdown(cancel_futures=True)
 
 
 def axes(over: dict[str, Any]) -> dict[str, Floats]:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
 from collections import deque
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -135,6 +133,9 @@ class Store:
 
     def _name(self) -> str:
         """Give what tells this sweep from any other."""
+        import hashlib
+        import json
+
         sweep = self._sweep
         digest = hashlib.sha256(
             json.dumps([sweep.scenario.toml, sweep.product, sweep.samples, self._tile]).encode()
