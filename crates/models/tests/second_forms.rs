@@ -8,8 +8,9 @@ use std::f64::consts::PI;
 
 /// A few states that are nothing special.
 fn states(size: usize) -> impl Iterator<Item = Vec<f64>> {
-    (0..20)
-        .map(move |k| (0..size).map(|i| 1.7 * Scalar::sin(1.0 + 3.1 * k as f64 + 1.3 * i as f64)).collect())
+    (0..20).map(move |k| {
+        (0..size).map(|i| 1.7 * Scalar::sin(1.0 + 3.1 * f64::from(k) + 1.3 * i as f64)).collect()
+    })
 }
 
 /// The wheel is Lorenz's system: x = w / K, y = c a, z = rho - c b with c = pi g r / (K nu), in the time K t.

@@ -20,10 +20,10 @@ pub fn page() -> String {
     );
     for system in catalogue::systems() {
         let card = system.card();
-        page += &format!("- [`{0}`](#{0}): {1}\n", card.id, card.title.en);
+        // Writing to a String cannot fail.
+        let _ = writeln!(page, "- [`{0}`](#{0}): {1}", card.id, card.title.en);
     }
     for system in catalogue::systems() {
-        // Writing to a String cannot fail.
         let _ = entry(&mut page, *system);
     }
     page

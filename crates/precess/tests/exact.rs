@@ -143,7 +143,7 @@ fn the_special_cases_too() {
 fn the_pendulum_has_its_period_for_ever() {
     let (mut a, mut b) = (1.0_f64, Scalar::cos(49.0 * PI / 100.0));
     for _ in 0..8 {
-        (a, b) = ((a + b) / 2.0, (a * b).sqrt());
+        (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
     }
     let period = 2.0 * PI / a / 9.81_f64.sqrt();
     let start = 49.0 * PI / 50.0;

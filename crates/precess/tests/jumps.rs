@@ -95,7 +95,7 @@ fn the_thresholds_of_turning_over() {
     let threshold = |turns: &dyn Fn(f64) -> bool| {
         let (mut low, mut high) = (3.0, 10.0);
         while high - low > 1e-9 {
-            let middle = (low + high) / 2.0;
+            let middle = f64::midpoint(low, high);
             if turns(middle) { high = middle } else { low = middle }
         }
         high
@@ -163,7 +163,7 @@ fn bodies_that_collide_end_the_run_with_the_pair_and_the_time() {
     let time = fall.trajectory.rows().last().expect("rows")[0];
     let expected = PI / 2.0 * (8.0_f64 / 22.0).sqrt();
     assert!((time - expected).abs() < 0.02, "{time} {expected}");
-    assert!(sentence.contains(&format!("t = {:.4}", expected)[..8]), "{sentence}");
+    assert!(sentence.contains(&format!("t = {expected:.4}")[..8]), "{sentence}");
 }
 
 /// The elements of an orbit are those that its start was made of, and stay.
