@@ -43,7 +43,7 @@ pub fn sensitivities(
     smooth(plan, "a sensitivity")?;
     let along: Vec<Along> = names.iter().map(|name| direction(plan, name)).collect::<Result<_, _>>()?;
     let fields: Vec<&dyn Field<Dual<f64>>> = along.iter().map(|a| a.field.as_ref()).collect();
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan)?;
     let end = times.last().copied().filter(|t| *t > 0.0).unwrap_or(1.0);
     let mut share = |t: f64| progress(t / end);
     let flow = subject.flow(&mut share);
