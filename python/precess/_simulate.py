@@ -77,7 +77,6 @@ def simulate(
         "atol": atol,
         "options": options,
     }
-    given = {name: value for name, value in given.items() if value is not None}
     if isinstance(system, Scenario) or str(system).endswith(".toml"):
         scenario = Scenario.of(system).replace(**given)  # type: ignore[arg-type]
         if events:

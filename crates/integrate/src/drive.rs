@@ -99,8 +99,11 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
     }
 }
 
-/// Whether the equations of these states were given, and not those of others, where the method needs them.
+/// Whether the equations of these states were given, and not those of others, where the method needs them. Rows of a
+/// run hang together, and are not those of the equations.
 fn knows_equations(run: &Drive) -> bool {
+    let shape = run.field.shape();
     matches!(run.method.card().needs, Needs::Any | Needs::Separable | Needs::ClosedForm)
-        || run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == run.field.shape().full() + 1)
+        || shape.rows == 1
+            && run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == shape.full() + 1)
 }

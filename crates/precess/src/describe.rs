@@ -55,8 +55,16 @@ fn names(card: &Card, values: &Values<f64>, layout: &Layout, notation: Notation)
     names.extend(
         (0..layout.modes).map(|k| if latex { format!("\\sigma_{{{k}}}") } else { format!("mode{k}") }),
     );
+    names.extend(parameter_names(card, values, notation));
+    names
+}
+
+/// The names of the numeric parameters, then of the lists' items: the order of the inputs of [`record`].
+pub fn parameter_names(card: &Card, values: &Values<f64>, notation: Notation) -> Vec<String> {
+    let latex = notation == Notation::Latex;
+    let name = |q: &Quantity| if latex { q.symbol.clone() } else { q.name.clone() };
     let numbers = card.parameters.iter().filter(|p| matches!(p.default, Default::Number(_)));
-    names.extend(numbers.map(|p| name(&p.quantity)));
+    let mut names: Vec<String> = numbers.map(|p| name(&p.quantity)).collect();
     let lists = card.parameters.iter().filter_map(|p| match &p.default {
         Default::List { fields, .. } => Some((&p.quantity, *fields)),
         _ => None,

@@ -36,7 +36,7 @@ mod workers;
 
 pub use canonical::scenario_toml;
 pub use compare::{Comparison, Contender, compare};
-pub use describe::{Equations, equations, record};
+pub use describe::{Equations, equations, parameter_names, record};
 pub use drift::{Drift, departures, drifts};
 pub use ensemble::ensemble;
 pub use error::{Error, unknown};

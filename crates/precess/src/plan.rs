@@ -215,8 +215,8 @@ impl Plan {
         input(format!("method '{method}' needs a closed form of {id}, and {why}: dop853 integrates it"))
     }
 
-    /// For methods that need them.
-    fn record_equations(&mut self) -> Result<(), Error> {
+    /// For methods that need them: anew wherever a parameter has changed.
+    pub(crate) fn record_equations(&mut self) -> Result<(), Error> {
         let tape = match self.method.card().needs {
             Needs::Any | Needs::Separable | Needs::ClosedForm => return Ok(()),
             Needs::Expression => self.expression()?,
@@ -246,12 +246,11 @@ impl Plan {
                 "method '{method}' needs a Lagrangian, and {id} has none: implicit_midpoint takes any system"
             ));
         };
+        let rates = precess_system::expression(self.system, &self.values, &self.layout);
         // At the start and beside it, since a body at rest shows no friction.
         for shift in [0.0, 0.1, -0.2] {
             let y: Vec<f64> = self.start.iter().map(|x| x + shift).collect();
-            let missed =
-                precess_system::beside_the_lagrangian(self.system, &self.values, &self.layout, &momenta, &y);
-            if missed > BESIDE {
+            if precess_system::beside_the_lagrangian(&rates, &momenta, &y) > BESIDE {
                 return input(format!(
                     "method '{method}' needs forces that are all in the Lagrangian, and in {id} there are others: \
                      implicit_midpoint takes any system (friction set to zero may help)"

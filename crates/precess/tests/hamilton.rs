@@ -108,3 +108,29 @@ fn friction_and_a_missing_lagrangian_are_refused() {
     assert!(refusal("pendulum", &[("dry", 0.1)], "taylor").contains("contain a sign"));
     assert_eq!(refusal("pendulum", &[("b", 0.1)], "taylor"), "");
 }
+
+/// Recorded equations hold their parameters as literals.
+#[test]
+fn a_parameter_that_is_moved_moves_in_the_recorded_equations_too() {
+    let by = |l: f64| {
+        let mut scenario = Scenario::of("pendulum");
+        scenario.method = Some("taylor".into());
+        scenario.parameters = vec![("l".into(), Value::number(l))];
+        Plan::new(&scenario).expect("a plan")
+    };
+    let mut moved = by(1.0);
+    moved.shift("l", 1.0).expect("it may move");
+    assert_eq!(last(&moved), last(&by(2.0)));
+}
+
+/// Tangent vectors have equations of their own, which nobody recorded.
+#[test]
+fn analyses_refuse_a_method_that_knows_the_equations_of_the_motion_alone() {
+    let mut scenario = Scenario::of("double_pendulum");
+    for method in ["taylor", "euler_cromer_implicit"] {
+        scenario.method = Some(method.into());
+        let refused = precess::analyses::lyapunov(&scenario, &mut |_| ControlFlow::Continue(()));
+        let sentence = refused.err().map(|e| e.to_string()).unwrap_or_default();
+        assert!(sentence.contains("its neighbours"), "{method}: {sentence}");
+    }
+}

@@ -3,9 +3,9 @@
 use crate::error::InputError;
 use crate::plan::Plan;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
-use precess::record;
-use precess::scalar::{Dual, Entry};
-use precess::system::{Bind, Default};
+use precess::scalar::{Dual, Entry, Notation};
+use precess::system::Bind;
+use precess::{parameter_names, record};
 use pyo3::prelude::*;
 
 /// The full state of a plan from the numbers that are reported.
@@ -78,25 +78,7 @@ pub fn expressions(plan: &Plan) -> (Vec<String>, Vec<Operation>, Vec<usize>) {
     let mut names = vec!["t".to_string()];
     names.extend(plan.layout.state().into_iter().map(|q| q.name));
     names.extend((0..plan.layout.modes).map(|k| format!("mode{k}")));
-    let (mut numbers, mut items) = (vec![], vec![]);
-    let mut lists = plan.values.lists.iter();
-    for parameter in &plan.card.parameters {
-        let name = &parameter.quantity.name;
-        match &parameter.default {
-            Default::Number(_) => numbers.push(name.clone()),
-            Default::List { fields, .. } => {
-                let length = lists.next().map_or(0, |list| list.items.len() / list.width);
-                items.extend((0..length).flat_map(|k| {
-                    fields.iter().map(move |field| match fields.len() {
-                        1 => format!("{name}[{k}]"),
-                        _ => format!("{name}[{k}].{field}"),
-                    })
-                }));
-            }
-            Default::Choice(_) => {}
-        }
-    }
-    names.extend(numbers.into_iter().chain(items));
+    names.extend(parameter_names(&plan.card, &plan.values, Notation::Text));
     let operation = |entry| match entry {
         Entry::Constant(x) => ("constant".into(), vec![], x),
         Entry::Input(k) => ("input".into(), vec![k], 0.0),

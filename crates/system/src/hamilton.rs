@@ -1,11 +1,13 @@
 //! Momenta and forces, from the recorded Lagrangian.
 //!
-//!     p_i = dL/dv_i        f_i = dL/dq_i        dp_i/dt = f_i
+//! ```text
+//! p_i = dL/dv_i        f_i = dL/dq_i        dp_i/dt = f_i
+//! ```
 //!
 //! These are Hamilton's equations seen from the velocities: `f = -dH/dq` at fixed momenta, and `v = dH/dp`. (L. Landau, E. Lifshitz,
 //! *Mechanics*, 40.)
 
-use crate::{AnySystem, Layout, Rates, Values, expression};
+use crate::{AnySystem, Layout, Rates, Values};
 use precess_scalar::{Dual, Scalar, Tape, Traced};
 
 /// The Lagrangian as a tape, where the system has one and its state is coordinates and their velocities.
@@ -50,15 +52,10 @@ pub fn momenta(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) ->
 
 /// By how much, at a state, the equations miss `dp/dt = f`, relative to the largest of these: friction, or a moment, of
 /// which the Lagrangian does not know.
-pub fn beside_the_lagrangian(
-    system: &dyn AnySystem,
-    values: &Values<f64>,
-    layout: &Layout,
-    momenta: &Tape,
-    y: &[f64],
-) -> f64 {
-    let n = layout.shape().coordinates;
-    let rates = expression(system, values, layout);
+///
+/// `rates` is the [`expression`](crate::expression()) of the system, `momenta` its [`momenta`].
+pub fn beside_the_lagrangian(rates: &Tape, momenta: &Tape, y: &[f64]) -> f64 {
+    let n = y.len() / 2;
     let at: Vec<f64> = std::iter::once(0.0).chain(y.iter().copied()).collect();
     let along: Vec<f64> = std::iter::once(1.0).chain(rates.evaluate(&at)).collect();
     let inputs: Vec<_> = at.iter().zip(&along).map(|(x, slope)| Dual::new(*x, *slope)).collect();

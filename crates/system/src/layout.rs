@@ -146,12 +146,16 @@ impl Shape {
             j => self.rows * state + row * self.modes + (j - state),
         }
     }
+    /// Where the numbers of each row's full state stand.
+    pub fn places(&self) -> Vec<Vec<usize>> {
+        (0..self.rows).map(|row| (0..self.full()).map(|j| self.place(row, j)).collect()).collect()
+    }
     /// The row that each number belongs to.
     pub fn row_of_each(&self) -> Vec<usize> {
         let mut row_of_each = vec![0; self.size()];
-        for row in 0..self.rows {
-            for j in 0..self.full() {
-                row_of_each[self.place(row, j)] = row;
+        for (row, places) in self.places().into_iter().enumerate() {
+            for place in places {
+                row_of_each[place] = row;
             }
         }
         row_of_each

@@ -9,15 +9,20 @@
 //! comes closer, far below the tolerance. The a follow from c and b in double-double, by Legendre's series of the
 //! stages' polynomials. With many stages a step adds little to much, so that sum carries what its rounding leaves out.
 
+use super::fixed_point::{self, MOST_ITERATIONS};
 use crate::coefficient::Coefficient;
-use crate::{NoConvergence, Step, Stepper};
+use crate::{NoConvergence, OptionCard, Step, Stepper};
 use precess_scalar::{DoubleDouble, Scalar};
 use precess_system::Shape;
 
-/// A fixed point that converges at all is there long before.
-const MOST_ITERATIONS: u32 = 200;
 /// This far below the tolerance a change is no longer looked at.
 const FAR_BELOW: f64 = 1e-4;
+
+/// The loop goes on below its end, as long as it comes closer.
+pub(crate) const EPSILON: OptionCard = OptionCard {
+    text: ("where the loop may end, relative to the state", "fin possible de la boucle, relative à l'état"),
+    ..fixed_point::EPSILON
+};
 
 /// Times and weights of the first half of the stages; the middle one belongs to it.
 pub(crate) type Half = &'static [(Coefficient, Coefficient)];

@@ -10,8 +10,9 @@
 //! T proposes a fixed point; ours is divided by the mass matrix `dp/dv`. Momenta and forces of other kinds than the Lagrangian's
 //! (friction) have no place here.
 
+use super::fixed_point::{EPSILON, MOST_ITERATIONS};
 use crate::linear::Lu;
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::{Scalar, Tape, Workspace};
 use precess_system::Shape;
 use std::sync::Arc;
@@ -33,17 +34,8 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: false,
     source: "T C.2.3",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: ("where the loop ends, relative to the state", "fin de la boucle, relative à l'état"),
-    }],
+    options: &[EPSILON],
 };
-
-/// A fixed point that converges at all is there long before.
-const MOST_ITERATIONS: u32 = 200;
 
 impl Method for EulerCromerImplicit {
     fn card(&self) -> &'static MethodCard {
@@ -56,7 +48,7 @@ impl Method for EulerCromerImplicit {
         let zeros = vec![S::from(0.0); n];
         Steps {
             momenta: options.equations.clone().filter(|tape| tape.inputs() == 1 + 2 * n),
-            places: (0..shape.rows).map(|row| (0..2 * n).map(|j| shape.place(row, j)).collect()).collect(),
+            places: shape.places(),
             workspace: Workspace::default(),
             inputs: vec![S::from(0.0); 1 + 2 * n],
             outputs: vec![S::from(0.0); n * (n + 2)],

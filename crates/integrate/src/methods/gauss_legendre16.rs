@@ -4,9 +4,9 @@
 //! error lies at the rounding of the numbers, and the sum of the steps carries what its own rounding leaves out, so that over
 //! millions of steps the error of the energy wanders rather than grows.
 
-use super::collocation::{Collocation, Half};
+use super::collocation::{Collocation, EPSILON, Half};
 use crate::coefficient::decimal;
-use crate::{Kind, Method, MethodCard, Needs, OptionCard, Options};
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -26,16 +26,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.3",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: (
-            "where the loop may end, relative to the state",
-            "fin possible de la boucle, relative à l'état",
-        ),
-    }],
+    options: &[EPSILON],
 };
 
 /// Times and weights of the first half of the stages.

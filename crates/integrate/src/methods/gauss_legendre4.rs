@@ -1,8 +1,8 @@
 //! Gauss's collocation with two stages: order 4 (J. C. Butcher, Math. Comp. 18, 50, 1964).
 
-use super::collocation::{Collocation, Half};
+use super::collocation::{Collocation, EPSILON, Half};
 use crate::coefficient::{decimal, ratio};
-use crate::{Kind, Method, MethodCard, Needs, OptionCard, Options};
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -22,16 +22,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: (
-            "where the loop may end, relative to the state",
-            "fin possible de la boucle, relative à l'état",
-        ),
-    }],
+    options: &[EPSILON],
 };
 
 /// Times and weights of the first half of the stages.

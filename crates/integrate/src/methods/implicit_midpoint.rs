@@ -2,9 +2,9 @@
 //!
 //!     y1 = y + h f(t + h/2, (y + y1) / 2)
 
-use super::collocation::{Collocation, Half};
+use super::collocation::{Collocation, EPSILON, Half};
 use crate::coefficient::ratio;
-use crate::{Kind, Method, MethodCard, Needs, OptionCard, Options};
+use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -24,16 +24,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.3",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: (
-            "where the loop may end, relative to the state",
-            "fin possible de la boucle, relative à l'état",
-        ),
-    }],
+    options: &[EPSILON],
 };
 
 /// Times and weights of the first half of the stages.

@@ -9,6 +9,7 @@ mod euler_cromer;
 mod euler_cromer_implicit;
 mod euler_taylor;
 mod exact;
+mod fixed_point;
 mod gauss_legendre16;
 mod gauss_legendre4;
 mod gauss_legendre6;

@@ -7,7 +7,8 @@
 //! both must rest, relative to the size of the state. On an oscillator the loop diverges for
 //! `omega h > sqrt(6)`. A first-order coordinate follows the velocity's formula, the trapezoid.
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper};
+use super::fixed_point::{EPSILON, MOST_ITERATIONS};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -27,17 +28,8 @@ static CARD: MethodCard = MethodCard {
     symplectic: false,
     reversible: true,
     source: "T 5.3; N. M. Newmark, J. Eng. Mech. Div. ASCE 85, 67 (1959)",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: ("where the loop ends, relative to the state", "fin de la boucle, relative à l'état"),
-    }],
+    options: &[EPSILON],
 };
-
-/// A fixed point that converges at all is there long before.
-const MOST_ITERATIONS: u32 = 200;
 
 impl Method for Newmark {
     fn card(&self) -> &'static MethodCard {

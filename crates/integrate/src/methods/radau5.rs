@@ -67,7 +67,7 @@ impl Method for Radau5 {
             ],
             gamma,
             estimate: [over(-13.0, -7.0, 3.0), over(-13.0, 7.0, 3.0), over(-1.0, 0.0, 3.0)],
-            places: (0..shape.rows).map(|row| (0..full).map(|j| shape.place(row, j)).collect()).collect(),
+            places: shape.places(),
             rows: (0..shape.rows).map(|_| Row::new(full)).collect(),
             start: zeros.clone(),
             z: [zeros.clone(), zeros.clone(), zeros.clone()],

@@ -44,7 +44,7 @@ impl Method for Taylor {
         let series = equations.and_then(|tape| Series::new(tape, ORDER.into()).ok());
         Steps {
             rows: series.map_or(vec![], |series| vec![series; shape.rows]),
-            places: (0..shape.rows).map(|row| (0..full).map(|j| shape.place(row, j)).collect()).collect(),
+            places: shape.places(),
             known: false,
             terms: vec![S::from(0.0); shape.size()],
             evaluations: 0,

@@ -80,6 +80,6 @@ impl Plan {
         }
         self.values = values;
         self.structure = precess_system::structure(self.system, &self.values, &self.layout);
-        Ok(())
+        self.record_equations()
     }
 }
