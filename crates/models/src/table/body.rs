@@ -6,7 +6,8 @@
 //!
 //!     r = grad h(-gamma) = c - rho gamma - S gamma / sqrt(gamma.S gamma),   S = A^2
 //!
-//! and G is at the height h(-gamma) = -gamma.r. A test holds r and its rate against dual numbers of h.
+//! and G is at the height h(-gamma) = -gamma.r. A test holds r against dual numbers of h, the law of
+//! constant energy its rate.
 
 use crate::inertia::Matrix;
 use crate::rotation::{Vector, cross, dot};
