@@ -109,7 +109,25 @@ impl Flow<'_> {
         vectors: &mut [Vec<f64>],
         span: f64,
     ) -> Result<(), Failure> {
-        let field = Tangents::new(self.tangents, vectors.len(), from);
+        self.carry_along(&vec![self.tangents; vectors.len()], from, state, vectors, span)
+    }
+
+    /// The same, with the system along each vector: a parameter may move with the state.
+    ///
+    /// # Errors
+    /// Where the integration cannot go on.
+    pub fn carry_along(
+        &self,
+        fields: &[&dyn Field<Dual<f64>>],
+        from: f64,
+        state: &mut [f64],
+        vectors: &mut [Vec<f64>],
+        span: f64,
+    ) -> Result<(), Failure> {
+        if vectors.is_empty() {
+            return self.advance(from, state, span);
+        }
+        let field = Tangents::new(fields, from);
         let start = field.join(state, vectors);
         let pace = match &self.pace {
             Pace::Adaptive(tolerance) => Pace::Adaptive(wide(tolerance, &field, vectors.len())),

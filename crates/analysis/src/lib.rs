@@ -5,10 +5,14 @@
 
 mod flow;
 mod frame;
+mod least_squares;
 mod lyapunov;
 mod poincare;
+mod student;
 mod tangents;
 
 pub use flow::{Flow, Stopped};
+pub use least_squares::{Asked, Model, Outcome, Undetermined, least_squares};
 pub use lyapunov::{Exponent, Lyapunov, lyapunov};
 pub use poincare::{Crossing, Crossings, Section, section, strobe};
+pub use student::quantile;

@@ -2,7 +2,8 @@
 //!
 //!     y' = f(t, y)        v' = Df(t, y) v
 //!
-//! The derivative along v is the slope of f at the dual number y + v e. A state and its tangent vectors are rows of
+//! The derivative along v is the slope of f at the dual number y + v e; where a parameter p moves too, it is
+//! Df v + df/dp, the slope at y + v e and p + e. A state and its tangent vectors are rows of
 //! one larger state (see [`Shape`]), so every method integrates them as they are.
 
 use precess_scalar::Dual;
@@ -11,7 +12,8 @@ use std::sync::Mutex;
 
 /// A field with tangent vectors in the rows behind the state.
 pub(crate) struct Tangents<'a> {
-    field: &'a dyn Field<Dual<f64>>,
+    /// The system along each vector: its parameters may move with the state.
+    fields: &'a [&'a dyn Field<Dual<f64>>],
     shape: Shape,
     /// The integration's zero of time.
     from: f64,
@@ -20,12 +22,12 @@ pub(crate) struct Tangents<'a> {
 }
 
 impl<'a> Tangents<'a> {
-    /// With so many tangent vectors; `from` is the time at which the integration begins.
-    pub fn new(field: &'a dyn Field<Dual<f64>>, vectors: usize, from: f64) -> Self {
-        let mut shape = field.shape().with_rows(1 + vectors);
+    /// With a tangent vector for each field; `from` is the time at which the integration begins.
+    pub fn new(fields: &'a [&'a dyn Field<Dual<f64>>], from: f64) -> Self {
+        let mut shape = fields[0].shape().with_rows(1 + fields.len());
         (shape.observables, shape.events) = (0, 0);
         let blank = vec![Dual::constant(0.0); shape.full()];
-        Self { field, shape, from, scratch: Mutex::new([blank.clone(), blank]) }
+        Self { fields, shape, from, scratch: Mutex::new([blank.clone(), blank]) }
     }
 
     /// State and tangent vectors as one full state; a tangent vector has no share in the modes.
@@ -65,7 +67,7 @@ impl Field<f64> for Tangents<'_> {
             for (j, number) in state.iter_mut().enumerate() {
                 *number = Dual::new(y[shape.place(0, j)], y[shape.place(row, j)]);
             }
-            self.field.rate(t, state, rate);
+            self.fields[row - 1].rate(t, state, rate);
             for (j, number) in rate.iter().enumerate() {
                 dy[shape.place(row, j)] = number.slope;
                 dy[shape.place(0, j)] = number.value;

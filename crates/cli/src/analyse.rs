@@ -1,7 +1,8 @@
-//! The analyses: `precess lyapunov`, `precess poincare`.
+//! The analyses: `precess lyapunov`, `precess poincare`, `precess sensitivity`, `precess fit`.
 
-use crate::args::{Analysis, Poincare};
+use crate::args::{Analysis, Fit, Poincare, Sensitivity};
 use crate::failure::Failure;
+use crate::measured;
 use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
 use crate::run::{finish_plot, open_plot, unknown_suffix};
@@ -27,6 +28,26 @@ pub fn poincare(arguments: &Poincare) -> Result<(), Failure> {
         y: arguments.y.clone(),
     };
     analyse(&arguments.analysis, &mut |scenario, progress| analyses::poincare(scenario, &spec, progress))
+}
+
+/// Derivatives of a run.
+pub fn sensitivity(arguments: &Sensitivity) -> Result<(), Failure> {
+    analyse(&arguments.analysis, &mut |scenario, progress| {
+        analyses::sensitivity(scenario, &arguments.along, progress)
+    })
+}
+
+/// A fit to measured points.
+pub fn fit(arguments: &Fit) -> Result<(), Failure> {
+    let data = measured::read(&arguments.data, &arguments.columns, &arguments.uncertainties)?;
+    let save = arguments.save.as_deref().map(Output::create).transpose()?;
+    let mut fitted = String::new();
+    analyse(&arguments.analysis, &mut |scenario, progress| {
+        let fit = analyses::fit(scenario, &data, &arguments.free, progress)?;
+        fitted = precess::scenario_toml(&fit.plan);
+        Ok(fit.answer(&data))
+    })?;
+    save.map_or(Ok(()), |output| output.finish(|file| file.write_all(fitted.as_bytes())))
 }
 
 type Ask<'a> = &'a mut dyn FnMut(&Scenario, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Answer, Error>;

@@ -44,6 +44,10 @@ pub enum Verb {
     Lyapunov(Analysis),
     /// Finds where a motion passes through a surface (Poincaré section)
     Poincare(Poincare),
+    /// Derivatives of a run with respect to its start and its parameters
+    Sensitivity(Sensitivity),
+    /// Fits starts and parameters to measured points
+    Fit(Fit),
     /// Measures how fast this program is on this machine, ratios first
     Bench(Bench),
     /// Serves the lab to a browser on this machine and prints its address; Ctrl-C ends it
@@ -180,6 +184,40 @@ pub struct Poincare {
     /// Quantity up the picture
     #[arg(long, value_name = "NAME")]
     pub y: Option<String>,
+}
+
+/// Derivatives.
+#[derive(Args)]
+pub struct Sensitivity {
+    /// What they are asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// What moves: numbers of the start and numeric parameters, separated by commas
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', required = true)]
+    pub along: Vec<String>,
+}
+
+/// A fit.
+#[derive(Args)]
+pub struct Fit {
+    /// What is fitted; its values are the first guesses.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// CSV file: a line of names (t among them), then a line for each time
+    #[arg(long, value_name = "FILE.csv")]
+    pub data: PathBuf,
+    /// What is fitted: numbers of the start and numeric parameters, separated by commas
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',', required = true)]
+    pub free: Vec<String>,
+    /// Columns of the file that are used (all of them where absent)
+    #[arg(long, value_name = "A,B,C", value_delimiter = ',')]
+    pub columns: Vec<String>,
+    /// Uncertainty of a column, one standard deviation (judged from the scatter where absent)
+    #[arg(long = "uncertainty", value_name = "NAME=VALUE")]
+    pub uncertainties: Vec<String>,
+    /// Writes the fitted scenario
+    #[arg(long, value_name = "FILE.toml")]
+    pub save: Option<PathBuf>,
 }
 
 /// A measurement.

@@ -9,6 +9,7 @@ mod draw;
 mod failure;
 mod lab;
 mod list;
+mod measured;
 mod output;
 mod progress;
 mod run;
@@ -32,6 +33,8 @@ fn main() -> ExitCode {
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
+        Verb::Sensitivity(arguments) => analyse::sensitivity(&arguments),
+        Verb::Fit(arguments) => analyse::fit(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

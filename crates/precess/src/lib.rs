@@ -42,7 +42,7 @@ pub use hash::{hash, hash_numbers};
 pub use members::{Keep, Members};
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
-pub use run::{Outcome, Provenance, run};
+pub use run::{Outcome, Provenance, columns, run};
 pub use scenario::{EventSpec, FamilySpec, FigureKind, FigureSpec, Scenario, Words};
 pub use workers::Workers;
 

@@ -131,7 +131,7 @@ pub(crate) fn pace(plan: &Plan) -> Pace {
 }
 
 /// The columns of the result.
-pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
+pub fn columns(plan: &Plan) -> Vec<Column> {
     let state = plan.layout.shape().state();
     let kind = |k: usize| match k {
         0 => ColumnKind::Time,

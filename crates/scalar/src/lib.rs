@@ -25,5 +25,5 @@ pub use isa::{Isa, UnknownIsa};
 pub use lanes::Lanes;
 pub use register::{Narrow, Wide, Widest};
 pub use scalar::{Kernel, Scalar};
-pub use traced::{Notation, Printed, Tape, Taylor, Traced, Workspace};
+pub use traced::{Entry, Notation, Printed, Tape, Taylor, Traced, Workspace};
 pub use unit::{Dimension, Unit};

@@ -1,13 +1,18 @@
 //! Questions beyond a run, asked of a scenario; each gives an [`Answer`] that any face can show.
 
+mod fit;
 mod lyapunov;
+mod numbers;
 mod panel;
 mod poincare;
+mod sensitivity;
 mod subject;
 
+pub use fit::{Data, Fit, Fitted, fit};
 pub use lyapunov::lyapunov;
 pub(crate) use panel::panel;
 pub use poincare::{PoincareSpec, poincare};
+pub use sensitivity::{Sensitivities, sensitivities, sensitivity};
 
 use crate::figure::Figure;
 use precess_system::{Column, ColumnKind, Trajectory};
