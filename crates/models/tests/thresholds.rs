@@ -60,10 +60,10 @@ fn roots(polynomial: &[Complex]) -> Vec<Complex> {
         if root > largest { root } else { largest }
     });
     let scaled: Vec<Complex> =
-        polynomial.iter().enumerate().map(|(k, c)| c.map(|x| x / Scalar::powi(scale, k as i32))).collect();
+        polynomial.iter().enumerate().map(|(k, c)| c.map(|x| x / Scalar::powf(scale, k as f64))).collect();
     let mut roots: Vec<Complex> = (0..n)
         .map(|k| {
-            let (sin, cos) = Scalar::sin_cos(0.4 + 6.283 * k as f64 / n as f64);
+            let (sin, cos) = Scalar::sin_cos(0.4 + std::f64::consts::TAU * k as f64 / n as f64);
             [0.8 * cos, 0.8 * sin]
         })
         .collect();
@@ -93,7 +93,7 @@ fn threshold(mut low: f64, mut high: f64, growth: impl Fn(f64) -> f64) -> f64 {
     let at_low = growth(low) > 0.0;
     assert_ne!(at_low, growth(high) > 0.0, "the threshold lies between");
     for _ in 0..40 {
-        let middle = (low + high) / 2.0;
+        let middle = f64::midpoint(low, high);
         if (growth(middle) > 0.0) == at_low { low = middle } else { high = middle }
     }
     low
