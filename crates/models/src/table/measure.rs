@@ -15,6 +15,8 @@ pub(super) struct Found<S> {
     pub height: S,
     pub rise: S,
     pub slip: [S; 2],
+    /// How fast that is: zero of itself where nothing slips.
+    pub slip_size: S,
     /// On the body.
     pub force: [S; 3],
     /// The moment about the normal.
@@ -134,7 +136,7 @@ pub(super) fn measure<S: Scalar>(top: &Top, seen: &Seen<S>, found: &Found<S>, ou
         found.denominator,
         ux,
         uy,
-        (ux * ux + uy * uy).sqrt(),
+        found.slip_size,
         fx * ux + fy * uy + found.drill * spin + dot(*omega, seen.torque),
     ]);
     out[16] = found.place[0] + dot(rows[0], r);

@@ -47,6 +47,7 @@ impl System for Roller {
             height,
             rise,
             slip: [zero, zero],
+            slip_size: zero,
             force,
             drill: zero,
             needed: (force[0] * force[0] + force[1] * force[1]).sqrt(),

@@ -140,12 +140,14 @@ impl System for Slider {
             (height, rise) =
                 (S::select(flies, s.coordinates[9], touching), S::select(flies, s.velocities[2], rising));
         }
+        let [ux, uy] = Self::slip(&seen, s);
         let found = Found {
             place: [s.coordinates[7], s.coordinates[8]],
             velocity: s.v(),
             height,
             rise,
-            slip: Self::slip(&seen, s),
+            slip: [ux, uy],
+            slip_size: (ux * ux + uy * uy).sqrt(),
             force: acts.force,
             drill: acts.drill,
             needed: (fx * fx + fy * fy).sqrt(),
