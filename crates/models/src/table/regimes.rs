@@ -12,6 +12,7 @@
 //! that lands with a rebound too low to be seen (a millionth of G's height) stays down. A slip and a flight begin at zero:
 //! what rounding makes of that is no event, so the first and the fourth function have an allowance.
 
+use super::body::length;
 use super::friction::COULOMB;
 use super::impact::{blow, turn};
 use super::measure::height;
@@ -113,7 +114,7 @@ struct Settled<S: Scalar> {
 fn about<S: Scalar>(s: &State<S>, seen: &Seen<S>) -> S {
     let ([vx, vy], swing) = (s.v(), cross(seen.omega, seen.touch.r));
     let fall = (seen.felt[1] * height(seen)[0]).abs();
-    (vx * vx + vy * vy).sqrt() + dot(swing, swing).sqrt() + fall.sqrt()
+    length([vx, vy]) + dot(swing, swing).sqrt() + fall.sqrt()
 }
 
 impl Slider {
@@ -131,7 +132,7 @@ impl Slider {
         out.fill(zero);
         if friction.law == COULOMB {
             out[STICKS] = S::select(slides, ux * dx + uy * dy + about(s, &seen) * ROUNDING, zero);
-            out[SLIPS] = S::select(rolls, friction.mu * normal - (fx * fx + fy * fy).sqrt(), zero);
+            out[SLIPS] = S::select(rolls, friction.mu * normal - length([fx, fy]), zero);
         }
         if is_free(s.values) {
             out[LIFTS] = S::select(flies, zero, normal);
@@ -203,10 +204,10 @@ impl Slider {
         let (friction, _) = self.friction(s);
         let [ux, uy] = Self::slip(seen, s);
         let swing = cross(seen.omega, seen.touch.r);
-        let slip = (ux * ux + uy * uy).sqrt();
+        let slip = length([ux, uy]);
         let rolling = Self::rolling(seen);
         let [fx, fy, push] = rolling.force;
-        let needed = (fx * fx + fy * fy).sqrt();
+        let needed = length([fx, fy]);
         let never = S::always() & !S::always();
         let dry = friction.law == COULOMB;
         let rests = if dry { slip.le(about(s, seen) * AT_REST) } else { never };

@@ -1,6 +1,6 @@
 //! A body that slips: the system. Its equations are in `sliding.rs`, its regimes in `regimes.rs`.
 
-use super::body::minus;
+use super::body::{length, minus};
 use super::check::check;
 use super::friction::{COULOMB, Friction};
 use super::measure::{Found, height, measure};
@@ -140,17 +140,15 @@ impl System for Slider {
             (height, rise) =
                 (S::select(flies, s.coordinates[9], touching), S::select(flies, s.velocities[2], rising));
         }
-        let [ux, uy] = Self::slip(&seen, s);
         let found = Found {
             place: [s.coordinates[7], s.coordinates[8]],
             velocity: s.v(),
             height,
             rise,
-            slip: [ux, uy],
-            slip_size: (ux * ux + uy * uy).sqrt(),
+            slip: Self::slip(&seen, s),
             force: acts.force,
             drill: acts.drill,
-            needed: (fx * fx + fy * fy).sqrt(),
+            needed: length([fx, fy]),
             denominator: acts.denominator,
             regime: s.modes.first().copied().unwrap_or(S::from(SLIDES)),
         };
