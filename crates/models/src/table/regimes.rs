@@ -10,7 +10,7 @@
 //!
 //! A contact at rest sticks if the friction that rolling needs is at most mu N; if not it slips against that force. One
 //! that lands with a rebound too low to be seen (a millionth of G's height) stays down. A slip and a flight begin at zero:
-//! what rounding makes of that is no event, so the first and the fourth function have an allowance.
+//! what rounding makes of that is no event, so `sticks` and `lands` have an allowance.
 
 use super::body::length;
 use super::friction::COULOMB;
