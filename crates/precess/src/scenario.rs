@@ -1,5 +1,6 @@
 //! A scenario: what to run, as a person writes it. `docs/scenarios.md` describes the file.
 
+mod body;
 mod family;
 mod figure;
 mod reading;
@@ -138,13 +139,22 @@ impl Scenario {
     }
 
     fn read_system(&mut self, text: &str, table: &DeTable) -> Result<(), Error> {
+        let mut body = None;
         for (key, value) in entries(table) {
             let at = |e: Error| e.at(&format!("line {}", line_of(text, key.span().start)));
             match key.get_ref().as_ref() {
                 "id" => self.system = word(value).map_err(at)?,
                 "parameters" => self.parameters = values(text, as_table(value).map_err(at)?)?,
-                other => return Err(at(unknown("key", other, ["id", "parameters"]).at("[system]"))),
+                "body" => body = Some(as_table(value).map_err(at)?),
+                other => return Err(at(unknown("key", other, ["id", "parameters", "body"]).at("[system]"))),
             }
+        }
+        let Some(body) = body else { return Ok(()) };
+        for (name, value) in body::parameters(&self.system, text, body)? {
+            if self.parameters.iter().any(|(given, _)| *given == name) {
+                return input(format!("{name} is given twice: in [system.body] and as a parameter"));
+            }
+            self.parameters.push((name, value));
         }
         Ok(())
     }

@@ -230,3 +230,50 @@ fn a_rattleback_needs_skew_axes() {
         assert_eq!(run.trajectory.events.len(), 0);
     }
 }
+
+/// Kane and Levinson's stone, written out.
+const STONE: &str = "precess = 1\n[system]\nid = \"rolling_body\"\n[system.body]\nmass = 1.0\n\
+    inertia = [[2e-4, 2e-5, 0], [2e-5, 16e-4, 0], [0, 0, 17e-4]]\n\
+    support = { point = [0, 0, 0.01], radius = 0, axes = [0.2, 0.03, 0.02] }\n";
+
+#[test]
+fn a_body_written_out_is_the_named_one() {
+    let start = ["omega1 = 0", "omega2 = 0", "omega3 = 5", "theta = 0.01", "phi = 0.5"].join("\n");
+    let rest = format!("[start]\n{start}\n[run]\nuntil = 1\n");
+    let end = |text: &str| {
+        let plan = Plan::new(&Scenario::parse(text).expect("a scenario")).expect("a plan");
+        let outcome = run(&plan, &mut |_| ControlFlow::Continue(()));
+        ["qw", "qx", "qy", "qz", "omega1", "omega2", "omega3", "x", "y"]
+            .map(|name| last(&outcome, name).to_bits())
+    };
+    let named = format!("precess = 1\n[system]\nid = \"rattleback\"\n{rest}");
+    assert_eq!(end(&format!("{STONE}{rest}")), end(&named));
+    let shape = "precess = 1\n[system]\nid = \"rolling_body\"\n[system.body]\nshape = \"sphere\"\nmass = 1\nradius = \"2 cm\"\n";
+    let plan = Plan::new(&Scenario::parse(shape).expect("a scenario")).expect("a plan");
+    let value = |name: &str| plan.values.number(&plan.card, name).expect("a parameter");
+    assert!(value("radius") == 0.02 && value("axis1") == 0.0 && (value("i22") - 0.4 * 4e-4).abs() < 1e-18);
+}
+
+#[test]
+fn a_body_that_makes_no_sense_is_refused_with_the_line() {
+    let refusal = |from: &str, to: &str| {
+        let text = STONE.replace(from, to);
+        assert_ne!(text, STONE);
+        let planned = Scenario::parse(&text).and_then(|scenario| Plan::new(&scenario).map(|_| ()));
+        planned.expect_err("this makes no sense").to_string()
+    };
+    for (from, to, words) in [
+        ("mass = 1.0", "mass = 0", &["mass", "above zero"][..]),
+        ("mass = 1.0", "mas = 1.0", &["line 5", "'mas'", "mass"]),
+        ("2e-5, 16e-4", "3e-5, 16e-4", &["line 6", "not symmetric", "12 and 21"]),
+        ("17e-4", "19e-4", &["no body has this inertia"]),
+        ("radius = 0", "radius = -1", &["line 7", "convex"]),
+        ("axes = [0.2, 0.03, 0.02]", "axes = [0.2, 0.03]", &["line 7", "three numbers"]),
+        ("rolling_body", "rattleback", &["rattleback", "rolling_body and sliding_body"]),
+        ("mass = 1.0\n", "mass = 1.0\nshape = \"sphere\"\n", &["inertia"]),
+        ("[system.body]", "parameters = { m = 2 }\n[system.body]", &["m is given twice"]),
+    ] {
+        let sentence = refusal(from, to);
+        assert!(words.iter().all(|word| sentence.contains(word)), "{sentence}");
+    }
+}

@@ -6,7 +6,8 @@
 //!
 //!     r = grad h(-gamma) = c - rho gamma - S gamma / sqrt(gamma.S gamma),   S = A^2
 //!
-//! and G is at the height h(-gamma) = -gamma.r. A test holds r and its rate against dual numbers of h.
+//! and G is at the height h(-gamma) = -gamma.r. A test holds r against dual numbers of h, the law of
+//! constant energy its rate.
 
 use crate::inertia::Matrix;
 use crate::rotation::{Vector, cross, dot};
@@ -28,7 +29,10 @@ pub(super) struct Touch<S> {
     pub gamma: Vector<S>,
     pub gamma_dot: Vector<S>,
     pub r: Vector<S>,
-    pub r_dot: Vector<S>,
+    /// q = r + rho gamma: the contact point but for the sphere, and its rate. What the sphere adds to the equations of
+    /// rolling and sliding cancels, and at a fast spin it would leave its rounding there.
+    pub core: Vector<S>,
+    pub core_dot: Vector<S>,
 }
 
 impl<S: Scalar> Body<S> {
@@ -46,10 +50,10 @@ impl<S: Scalar> Body<S> {
         let reach = S::select(none, self.radius, square.sqrt());
         let part = S::select(none, S::from(0.0), S::from(1.0) / reach);
         let turning = dot(along, gamma_dot) * part * part;
-        let r = minus(minus(self.point, scaled(gamma, self.radius)), scaled(along, part));
-        let bend = scaled(minus(along_dot, scaled(along, turning)), part);
-        let r_dot = minus(scaled(gamma_dot, -self.radius), bend);
-        Touch { gamma, gamma_dot, r, r_dot }
+        let core = minus(self.point, scaled(along, part));
+        let core_dot = scaled(minus(scaled(along, turning), along_dot), part);
+        let r = minus(core, scaled(gamma, self.radius));
+        Touch { gamma, gamma_dot, r, core, core_dot }
     }
 }
 
@@ -57,6 +61,13 @@ impl<S: Scalar> Body<S> {
 #[inline(always)]
 fn componentwise<S: Scalar>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
     [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
+}
+
+/// Length of a vector along the table; that of zero has no slope to spoil a derivative.
+#[inline(always)]
+pub(super) fn length<S: Scalar>([x, y]: [S; 2]) -> S {
+    let (square, zero) = (x * x + y * y, S::from(0.0));
+    S::select(square.le(zero), zero, square.sqrt())
 }
 
 /// a + b.

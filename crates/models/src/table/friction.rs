@@ -12,6 +12,7 @@
 //! a direction d, kept since the last event, tells which side of zero the slip is on: -mu u / (|u| sign(u.d)) goes
 //! smoothly through zero, and a method keeps its order up to the event.
 
+use super::body::length;
 use precess_scalar::Scalar;
 use std::f64::consts::PI;
 
@@ -61,7 +62,7 @@ impl<S: Scalar> Friction<S> {
     #[inline(always)]
     pub fn dry(&self, [ux, uy]: [S; 2], [dx, dy]: [S; 2]) -> Grip<S> {
         let zero = S::from(0.0);
-        let size = (ux * ux + uy * uy).sqrt();
+        let size = length([ux, uy]);
         let still = size.le(zero);
         let size = S::select((ux * dx + uy * dy).lt(zero), -size, size);
         let [x, y] = [S::select(still, dx, ux / size), S::select(still, dy, uy / size)];

@@ -1,5 +1,6 @@
 //! The observables of a body on a table.
 
+use super::body::length;
 use super::top::{Seen, Top};
 use crate::attitude;
 use crate::inertia::apply;
@@ -129,12 +130,12 @@ pub(super) fn measure<S: Scalar>(top: &Top, seen: &Seen<S>, found: &Found<S>, ou
     ]);
     out[8..16].copy_from_slice(&[
         normal,
-        (fx * fx + fy * fy).sqrt(),
+        length([fx, fy]),
         found.needed,
         found.denominator,
         ux,
         uy,
-        (ux * ux + uy * uy).sqrt(),
+        length([ux, uy]),
         fx * ux + fy * uy + found.drill * spin + dot(*omega, seen.torque),
     ]);
     out[16] = found.place[0] + dot(rows[0], r);

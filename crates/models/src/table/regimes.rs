@@ -4,14 +4,15 @@
 //!
 //!     sticks   u.d                   the slip passes to the other side of d: it has come to rest, or only turned
 //!     slips    mu N - |f needed|     rolling needs more friction than there is
-//!     lifts    N                     the table would have to pull
-//!     lands    z - h(-gamma)         (z is a coordinate of its own where the contact is free)
 //!     jams     denominator - 1/(100 m)   the push grows without bound (Painleve's paradox); reported, nothing more
+//!     lifts    N                     the table would have to pull            (where the contact is free;
+//!     lands    z - h(-gamma)         the body is back on the table            z is a coordinate then)
 //!
 //! A contact at rest sticks if the friction that rolling needs is at most mu N; if not it slips against that force. One
 //! that lands with a rebound too low to be seen (a millionth of G's height) stays down. A slip and a flight begin at zero:
-//! what rounding makes of that is no event, so the first and the fourth function have an allowance.
+//! what rounding makes of that is no event, so `sticks` and `lands` have an allowance.
 
+use super::body::length;
 use super::friction::COULOMB;
 use super::impact::{blow, turn};
 use super::measure::height;
@@ -31,9 +32,10 @@ pub(super) const FLIES: f64 = 2.0;
 /// The events in order.
 const STICKS: usize = 0;
 const SLIPS: usize = 1;
-const LIFTS: usize = 2;
-const LANDS: usize = 3;
-const JAMS: usize = 4;
+const JAMS: usize = 2;
+/// Only where the contact is free.
+const LIFTS: usize = 3;
+const LANDS: usize = 4;
 const EVENTS: [(&str, &str, &str); 5] = [
     ("sticks", "the slip comes to rest, or turns", "le glissement s'arrête, ou tourne"),
     (
@@ -41,13 +43,13 @@ const EVENTS: [(&str, &str, &str); 5] = [
         "rolling needs more friction than there is",
         "le roulement demande plus de frottement qu'il n'y en a",
     ),
-    ("lifts", "the body lifts off", "le corps décolle"),
-    ("lands", "the body lands", "le corps retombe"),
     (
         "jams",
         "the table's push grows without bound (Painlevé)",
         "la poussée de la table croît sans limite (Painlevé)",
     ),
+    ("lifts", "the body lifts off", "le corps décolle"),
+    ("lands", "the body lands", "le corps retombe"),
 ];
 
 /// Where the contact slips less than this share of the velocities about, it is at rest.
@@ -92,7 +94,8 @@ pub(super) fn layout(card: &Card, values: &Values<f64>) -> Layout {
             let text = Text::new(en, fr);
             Event { name: name.into(), direction: Direction::Falling, text }
         };
-        layout.events = EVENTS.map(event).into();
+        let events = if is_free(values) { EVENTS.len() } else { LIFTS };
+        layout.events = EVENTS.map(event)[..events].into();
     }
     layout
 }
@@ -111,7 +114,7 @@ struct Settled<S: Scalar> {
 fn about<S: Scalar>(s: &State<S>, seen: &Seen<S>) -> S {
     let ([vx, vy], swing) = (s.v(), cross(seen.omega, seen.touch.r));
     let fall = (seen.felt[1] * height(seen)[0]).abs();
-    (vx * vx + vy * vy).sqrt() + dot(swing, swing).sqrt() + fall.sqrt()
+    length([vx, vy]) + dot(swing, swing).sqrt() + fall.sqrt()
 }
 
 impl Slider {
@@ -129,7 +132,7 @@ impl Slider {
         out.fill(zero);
         if friction.law == COULOMB {
             out[STICKS] = S::select(slides, ux * dx + uy * dy + about(s, &seen) * ROUNDING, zero);
-            out[SLIPS] = S::select(rolls, friction.mu * normal - (fx * fx + fy * fy).sqrt(), zero);
+            out[SLIPS] = S::select(rolls, friction.mu * normal - length([fx, fy]), zero);
         }
         if is_free(s.values) {
             out[LIFTS] = S::select(flies, zero, normal);
@@ -201,10 +204,10 @@ impl Slider {
         let (friction, _) = self.friction(s);
         let [ux, uy] = Self::slip(seen, s);
         let swing = cross(seen.omega, seen.touch.r);
-        let slip = (ux * ux + uy * uy).sqrt();
+        let slip = length([ux, uy]);
         let rolling = Self::rolling(seen);
         let [fx, fy, push] = rolling.force;
-        let needed = (fx * fx + fy * fy).sqrt();
+        let needed = length([fx, fy]);
         let never = S::always() & !S::always();
         let dry = friction.law == COULOMB;
         let rests = if dry { slip.le(about(s, seen) * AT_REST) } else { never };

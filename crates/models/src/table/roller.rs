@@ -1,5 +1,6 @@
 //! A body that rolls without slipping: the system. Its equations are in `rolling.rs`.
 
+use super::body::length;
 use super::check::check;
 use super::measure::{Found, height, measure};
 use super::parameters::card_of;
@@ -49,7 +50,7 @@ impl System for Roller {
             slip: [zero, zero],
             force,
             drill: zero,
-            needed: (force[0] * force[0] + force[1] * force[1]).sqrt(),
+            needed: length([force[0], force[1]]),
             denominator: S::from(1.0) / seen.body.mass + dot(arm, solve(seen.body.inertia, arm)),
             regime: S::from(ROLLS),
         };

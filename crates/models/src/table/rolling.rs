@@ -7,6 +7,7 @@
 //!     (I + m (r.r 1 - r r^T)) omega' = T - omega x I omega + m r x (r' x omega + omega x (r x omega) - G)
 //!     F = m (r' x omega + r x omega' + omega x (r x omega) - G)
 //!
+//! In r' x omega + omega x (r x omega) the sphere's part of r cancels: q = r + rho gamma stands there instead.
 //! (T, frame on page 12, whose (9) lacks what the moving contact adds: here it is the term with r'.)
 
 use super::body::{Body, Touch, minus, plus, scaled};
@@ -29,8 +30,8 @@ pub(super) fn roll<S: Scalar>(
     gravity: Vector<S>,
     torque: Vector<S>,
 ) -> Rolling<S> {
-    let Touch { r, r_dot, .. } = *touch;
-    let known = minus(plus(cross(r_dot, omega), cross(omega, cross(r, omega))), gravity);
+    let Touch { r, core, core_dot, .. } = *touch;
+    let known = minus(plus(cross(core_dot, omega), cross(omega, cross(core, omega))), gravity);
     let spin = cross(omega, apply(body.inertia, omega));
     let moment = plus(minus(torque, spin), cross(scaled(r, body.mass), known));
     let omega_dot = solve(transferred(body.inertia, body.mass, r), moment);

@@ -1,6 +1,6 @@
 //! A body that slips: the system. Its equations are in `sliding.rs`, its regimes in `regimes.rs`.
 
-use super::body::minus;
+use super::body::{length, minus};
 use super::check::check;
 use super::friction::{COULOMB, Friction};
 use super::measure::{Found, height, measure};
@@ -148,7 +148,7 @@ impl System for Slider {
             slip: Self::slip(&seen, s),
             force: acts.force,
             drill: acts.drill,
-            needed: (fx * fx + fy * fy).sqrt(),
+            needed: length([fx, fy]),
             denominator: acts.denominator,
             regime: s.modes.first().copied().unwrap_or(S::from(SLIDES)),
         };

@@ -8,6 +8,8 @@
 //!     N = base / (1/m + (I^-1 c).(c + s (r x k + d gamma)))
 //!     I omega' = N (c + s (r x k + d gamma)) - omega x I omega + T,     m x'' = |N| k_x + m G_x,     m y'' = |N| k_y
 //!
+//! In c and base the sphere's part of r cancels: q = r + rho gamma stands there instead.
+//!
 //! Where N reaches zero a free contact lifts off; one that is kept pulls, as a guide with two sides, and rubs all the same; where the denominator does, no finite force keeps the body from the
 //! table (Painleve 1895). See `regimes.rs`.
 
@@ -39,12 +41,13 @@ pub(super) fn slide<S: Scalar>(
     torque: Vector<S>,
     grip: &Grip<S>,
 ) -> Sliding<S> {
-    let Touch { gamma, gamma_dot, r, r_dot } = *touch;
+    let Touch { gamma, gamma_dot, r, core, core_dot } = *touch;
     let spin = minus(cross(omega, apply(body.inertia, omega)), torque);
-    let arm = cross(r, gamma);
+    let arm = cross(core, gamma);
     let turned = solve(body.inertia, arm);
     let push = plus(scaled(rows[0], grip.k[0]), scaled(rows[1], grip.k[1]));
-    let base = dot(turned, spin) - fall - dot(gamma_dot, cross(omega, r)) - dot(gamma, cross(omega, r_dot));
+    let base =
+        dot(turned, spin) - fall - dot(gamma_dot, cross(omega, core)) - dot(gamma, cross(omega, core_dot));
     let side = S::select(base.lt(S::from(0.0)), S::from(-1.0), S::from(1.0));
     let moment = plus(arm, scaled(plus(cross(r, push), scaled(gamma, grip.drill)), side));
     let denominator = S::from(1.0) / body.mass + dot(turned, moment);

@@ -1,7 +1,7 @@
 //! A body written out in a scenario, `[system.body]`, as parameters of `rolling_body` and `sliding_body`.
 
+use super::reading::{as_table, entries, line_of, read, word};
 use crate::error::{Error, input, quoted, unknown};
-use crate::scenario::{as_table, entries, line_of, read, word};
 use crate::value::{Value, shortest};
 use toml::de::{DeTable, DeValue};
 
@@ -30,7 +30,7 @@ struct Support {
 ///
 /// # Errors
 /// One sentence: what is missing, unknown, or no body.
-pub(crate) fn parameters(system: &str, text: &str, table: &DeTable) -> Result<Vec<(String, Value)>, Error> {
+pub(super) fn parameters(system: &str, text: &str, table: &DeTable) -> Result<Vec<(String, Value)>, Error> {
     if !FOR.contains(&system) {
         return input(format!(
             "only {} take a body that is written out; {} has parameters of its own",
