@@ -98,7 +98,7 @@ fn the_passing_body_is_on_a_hyperbola() {
     assert!(e > 1.05, "{e}");
 }
 
-/// Twice the acceleration of their body: as printed, the asteroids lose it at once; corrected, the inner rings stay.
+/// With the acceleration of their body once more, hardly an asteroid is left to it in the end; as corrected, more than half.
 #[test]
 fn the_printed_cluster_loses_its_rings() {
     let bound = |stepping: &str, until: &str| {
@@ -106,15 +106,9 @@ fn the_printed_cluster_loses_its_rings() {
             [("stepping", stepping), ("--method", "euler_taylor"), ("--until", until), ("--every", until)];
         last(&go("cluster", &settings), "bound")
     };
-    println!(
-        "{} {} {} {}",
-        bound("corrected", "100"),
-        bound("as_printed", "100"),
-        bound("corrected", "350"),
-        bound("as_printed", "350")
-    );
     assert_eq!(bound("corrected", "100"), 135.0);
-    assert!(bound("as_printed", "350") < bound("corrected", "350"));
+    let (corrected, printed) = (bound("corrected", "350"), bound("as_printed", "350"));
+    assert!(corrected > 68.0 && printed < 10.0, "{corrected} {printed}");
 }
 
 /// The moon of figure 28 by P's own steps, of 1e-5 and of 1e-6: gone, and off by about its distance from its planet.

@@ -85,8 +85,10 @@ fn the_special_cases_too() {
         ("pendulum", &[("-theta", "7.5"), ("-theta_dot", "1")]),
         ("pendulum", &[("g", "-9.81"), ("-theta", "2.5")]),
         ("pendulum", &[("g", "0"), ("-theta_dot", "2")]),
+        // (So does each close passage of two bodies: over four revolutions dop853 is off by 3e-11, the closed form by
+        // 2e-14 from a computation with 50 digits.)
         // Two bodies: P's second start, long ellipses, a parabola, a hyperbola, in space, many turns.
-        ("n_body", &[("-y0_dot", "-0.08"), ("-y1_dot", "0.8"), ("--until", "8")]),
+        ("n_body", &[("-y0_dot", "-0.08"), ("-y1_dot", "0.8"), ("--until", "1.5")]),
         (
             "n_body",
             &[
