@@ -153,3 +153,39 @@ def test_a_sensitivity_refuses_what_makes_no_sense(
         precess.sensitivity("noria")
     with pytest.raises(precess.InputError, match="theta_dot is missing"):
         precess.sensitivity("pendulum", "theta", times=[1.0]).transition  # noqa: B018
+
+
+def test_basins_are_what_their_proof_says() -> None:
+    found = precess.basins(
+        "magnetic_pendulum", {"x": (-1, 1, 9), "y": (-0.5, 0.5, 5)}, start={"x_dot": 0, "y_dot": 0}
+    )
+    assert found.labels.shape == (9, 5)
+    assert len(found.attractors) == 3
+    assert found.undecided < 0.05
+    assert {a.kind for a in found.attractors} == {"fixed point"}
+    # An attractor is in its own basin.
+    for attractor in found.attractors:
+        here = {name: (attractor.state[name], attractor.state[name], 1) for name in ("x", "y")}
+        alone = precess.basins("magnetic_pendulum", here, start={"x_dot": 0, "y_dot": 0})
+        end = alone.attractors[alone.labels[0, 0]].state
+        assert [end["x"], end["y"]] == pytest.approx([attractor.state["x"], attractor.state["y"]], abs=1e-6)
+    data = found.to_xarray()
+    assert data["label"].dims == ("x", "y")
+    assert found.plot().axes
+    with pytest.raises(TypeError, match="x: first value, last value and number"):
+        precess.basins("magnetic_pendulum", {"x": (1, 2)})  # type: ignore[dict-item]
+    with pytest.raises(precess.InputError, match="did you mean 'x'"):
+        precess.basins("magnetic_pendulum", {"xx": (0, 1, 2)})
+
+
+def test_sweeps_and_portraits_answer() -> None:
+    portrait = precess.portrait("duffing", {"x": (-2, 2), "x_dot": (-2, 2)}, parameters={"gamma": 0})
+    assert portrait.plot().axes
+    assert len(portrait) >= 1
+    response = precess.response("driven_oscillator", {"frequency": (0.5, 2, 5)})
+    assert len(response) == 5
+    np.testing.assert_allclose(response["amplitude"], response["exact_amplitude"], rtol=1e-2)
+    with pytest.raises(precess.InputError, match="a sweep goes over one parameter"):
+        precess.response("driven_oscillator", {})
+    with pytest.raises(TypeError, match="first value, last value and number"):
+        precess.bifurcation("duffing", {"gamma": (1, 2)})  # type: ignore[dict-item]
