@@ -236,7 +236,7 @@ class Sensitivity:
     @property
     def transition(self) -> Floats:
         """The state-transition matrix: the derivative of number i by the start of number j, `(times, i, j)`."""
-        state = list(self.scenario.start)
+        state = self.scenario.state
         missing = [name for name in state if name not in self.along]
         if missing:
             raise _core.InputError(
@@ -290,7 +290,7 @@ def sensitivity(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    names = list(scenario.start) if along is None else [along] if isinstance(along, str) else list(along)
+    names = list(scenario.state) if along is None else [along] if isinstance(along, str) else list(along)
     moments = _moments(scenario) if times is None else np.atleast_1d(np.asarray(times, dtype=np.float64))
     if moments.ndim != 1:
         raise _core.InputError(f"times: an array of one dimension is needed, not of {moments.ndim}")

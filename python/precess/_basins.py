@@ -55,7 +55,7 @@ class Basins:
         """When it was known, in s."""
         self.scenario: Scenario = Scenario.parse(found.scenario)
         """The run of each start."""
-        names = list(self.scenario.start)
+        names = self.scenario.state
         self.attractors: tuple[Attractor, ...] = tuple(
             Attractor(dict(zip(names, state, strict=False)), kind, energy)
             for state, kind, energy in found.attractors

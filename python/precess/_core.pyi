@@ -122,6 +122,7 @@ class Plan:
     every: float
     step: list[tuple[str, float]]
     parameters: dict[str, object]
+    state: list[str]
     start: list[tuple[str, float]]
     columns: list[tuple[str, str, str, str]]
 
