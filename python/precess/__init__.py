@@ -5,10 +5,22 @@
 >>> swing["theta"][-1]  # doctest: +SKIP
 
 `precess.systems`, `precess.methods` and `precess.scenarios` list what there is; `precess.simulate` runs one start,
-`precess.ensemble` many; `precess.lyapunov`, `poincare`, `sensitivity` and `fit` ask further. A run gives the same bits here as on the command line and in the browser.
+`precess.ensemble` many; `precess.basins`, `portrait`, `response`,
+`lyapunov`, `sensitivity`, `fit` and others ask further. A run gives the same bits here as on the command line and in the browser.
 """
 
-from ._analyses import Sensitivity, lyapunov, poincare, sensitivity
+from ._analyses import (
+    Sensitivity,
+    bifurcation,
+    floquet,
+    frenet,
+    lyapunov,
+    poincare,
+    portrait,
+    response,
+    sensitivity,
+)
+from ._basins import Attractor, Basins, basins
 from ._catalogue import Method, Quantity, System, UnknownNameError, methods, scenarios, systems
 from ._core import InputError, RunError
 from ._core import version as _version
@@ -24,6 +36,8 @@ __version__ = _version()
 
 __all__ = [
     "Answer",
+    "Attractor",
+    "Basins",
     "Column",
     "Drift",
     "Ensemble",
@@ -38,11 +52,17 @@ __all__ = [
     "System",
     "Trajectory",
     "UnknownNameError",
+    "basins",
+    "bifurcation",
     "ensemble",
     "fit",
+    "floquet",
+    "frenet",
     "lyapunov",
     "methods",
     "poincare",
+    "portrait",
+    "response",
     "scenarios",
     "sensitivity",
     "simulate",

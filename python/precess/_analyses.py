@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,6 +26,9 @@ if TYPE_CHECKING:
     from ._core import Floats
     from ._progress import Progress
     from ._scenario import Settings
+
+    Window = Mapping[str, tuple[float | str, float | str]]
+    SweepOf = str | Mapping[str, tuple[float | str, float | str, int]]
 
 
 def lyapunov(
@@ -75,6 +79,125 @@ def poincare(
     return Answer(scenario, "Poincaré section", answer)
 
 
+def portrait(
+    system: str | Path | System | Scenario,
+    window: Window | None = None,
+    *,
+    levels: int | None = None,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Find the fixed points with their eigenvalues, and draw the phase portrait.
+
+    Parameters
+    ----------
+    window
+        The part of the space of states that is looked at: `{"x": (-2, 2), "x_dot": (-3, 3)}`; chosen where absent.
+    levels
+        About how many levels of the energy are drawn.
+
+    """
+    scenario = Scenario.of(system).replace(**settings)
+    windows = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in (window or {}).items()]
+    with bar(progress, 1.0, "") as told:
+        return Answer(scenario, "phase portrait", _core.portrait(scenario._plan, windows, levels, told))  # noqa: SLF001
+
+
+def response(
+    system: str | Path | System | Scenario,
+    sweep: SweepOf,
+    *,
+    coordinate: str | None = None,
+    down: bool = False,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Measure the response to a drive along a parameter: amplitude, lag, and for linear equations the exact ones.
+
+    Parameters
+    ----------
+    sweep
+        `{"frequency": (0.2, 3, 200)}`: first value, last value, how many; or `"frequency=0.2:3:200"`.
+    coordinate
+        The number of the state; the first coordinate where absent.
+    down
+        From the last value to the first: a branch is followed, so the way matters where there are two.
+
+    """
+    scenario = Scenario.of(system).replace(**settings)
+    with bar(progress, 1.0, "") as told:
+        answer = _core.response(scenario._plan, _sweeps(sweep, 1)[0], coordinate, down, told)  # noqa: SLF001
+    return Answer(scenario, "response", answer)
+
+
+def bifurcation(
+    system: str | Path | System | Scenario,
+    sweep: SweepOf,
+    *,
+    coordinate: str | None = None,
+    down: bool = False,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Follow the motion along a parameter: a coordinate once a period of the drive (at its maxima, without a drive).
+
+    The arguments are those of `precess.response`.
+    """
+    scenario = Scenario.of(system).replace(**settings)
+    with bar(progress, 1.0, "") as told:
+        answer = _core.bifurcation(scenario._plan, _sweeps(sweep, 1)[0], coordinate, down, told)  # noqa: SLF001
+    return Answer(scenario, "bifurcation diagram", answer)
+
+
+def floquet(
+    system: str | Path | System | Scenario,
+    sweep: SweepOf | None = None,
+    *,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Compute Floquet multipliers: of the periodic motion near the start, along a parameter, or over two."""
+    scenario = Scenario.of(system).replace(**settings)
+    sweeps = [] if sweep is None else _sweeps(sweep, 2)
+    with bar(progress, 1.0, "") as told:
+        return Answer(scenario, "Floquet multipliers", _core.floquet(scenario._plan, sweeps, told))  # noqa: SLF001
+
+
+def frenet(
+    system: str | Path | System | Scenario,
+    *,
+    x: str | None = None,
+    y: str | None = None,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Follow a path in a plane with its speed, accelerations along and across it, and its curvature."""
+    scenario = Scenario.of(system).replace(**settings)
+    with bar(progress, 1.0, "") as told:
+        return Answer(scenario, "path", _core.frenet(scenario._plan, x, y, told))  # noqa: SLF001
+
+
+def _text(value: float | str) -> str:
+    return value if isinstance(value, str) else repr(float(value))
+
+
+def _sweeps(sweep: SweepOf, most: int) -> list[str]:
+    """Give sweeps as the command line has them."""
+    if isinstance(sweep, str):
+        return [sweep]
+    if not isinstance(sweep, Mapping) or not 1 <= len(sweep) <= most:
+        how_many = "one parameter" if most == 1 else "one parameter or two"
+        raise _core.InputError(f"a sweep goes over {how_many}: {{'frequency': (0.2, 3, 200)}}, for instance")
+    texts = []
+    for name, span in sweep.items():
+        try:
+            low, high, points = span
+        except (TypeError, ValueError):
+            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
+        texts.append(f"{name}={_text(low)}:{_text(high)}:{points}")
+    return texts
+
+
 class Sensitivity:
     """A motion and its derivatives with respect to its start and its parameters.
 
@@ -113,7 +236,7 @@ class Sensitivity:
     @property
     def transition(self) -> Floats:
         """The state-transition matrix: the derivative of number i by the start of number j, `(times, i, j)`."""
-        state = list(self.scenario.start)
+        state = self.scenario.state
         missing = [name for name in state if name not in self.along]
         if missing:
             raise _core.InputError(
@@ -167,7 +290,7 @@ def sensitivity(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    names = list(scenario.start) if along is None else [along] if isinstance(along, str) else list(along)
+    names = list(scenario.state) if along is None else [along] if isinstance(along, str) else list(along)
     moments = _moments(scenario) if times is None else np.atleast_1d(np.asarray(times, dtype=np.float64))
     if moments.ndim != 1:
         raise _core.InputError(f"times: an array of one dimension is needed, not of {moments.ndim}")

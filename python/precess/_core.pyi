@@ -38,6 +38,37 @@ def poincare(
     y: str | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Answer: ...
+def portrait(
+    plan: Plan,
+    windows: list[str],
+    levels: int | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Answer: ...
+def response(
+    plan: Plan,
+    sweep: str,
+    coordinate: str | None = None,
+    down: bool = False,
+    progress: Callable[[float], object] | None = None,
+) -> Answer: ...
+def bifurcation(
+    plan: Plan,
+    sweep: str,
+    coordinate: str | None = None,
+    down: bool = False,
+    progress: Callable[[float], object] | None = None,
+) -> Answer: ...
+def floquet(plan: Plan, sweeps: list[str], progress: Callable[[float], object] | None = None) -> Answer: ...
+def frenet(
+    plan: Plan, x: str | None = None, y: str | None = None, progress: Callable[[float], object] | None = None
+) -> Answer: ...
+def basins(
+    plan: Plan,
+    axes: list[tuple[str, float, float, int]],
+    wrap: bool,
+    threads: int | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Basins: ...
 def sensitivities(
     plan: Plan, names: list[str], times: Floats, progress: Callable[[float], object] | None = None
 ) -> tuple[Floats, Floats]: ...
@@ -58,6 +89,16 @@ class Answer:
     figure: dict[str, Any]
     summary: list[str]
     failure: str | None
+
+class Basins:
+    """Where the starts of a grid end."""
+
+    labels: NDArray[np.int32]
+    times: Floats
+    attractors: list[tuple[list[float], str, float | None]]
+    scenario: str
+    figure: dict[str, Any]
+    summary: list[str]
 
 class Fit:
     """A fit."""
@@ -81,6 +122,7 @@ class Plan:
     every: float
     step: list[tuple[str, float]]
     parameters: dict[str, object]
+    state: list[str]
     start: list[tuple[str, float]]
     columns: list[tuple[str, str, str, str]]
 

@@ -50,7 +50,7 @@ class Ensemble:
         """The times that are kept, in s: the end alone, or every sample."""
         self.failures = members.failures
         """Why a member ended before its time, by its number in the order of the flattened ensemble."""
-        self.names: tuple[str, ...] = tuple(sweep.scenario.start)
+        self.names: tuple[str, ...] = sweep.scenario.state
         """Names of the state."""
         self._product = sweep.product
         self._samples = sweep.samples

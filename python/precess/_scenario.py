@@ -184,8 +184,13 @@ class Scenario:
         return self._plan.parameters
 
     @property
+    def state(self) -> tuple[str, ...]:
+        """Names of the state: coordinates, then velocities."""
+        return tuple(self._plan.state)
+
+    @property
     def start(self) -> dict[str, float]:
-        """The whole state at the start, by name."""
+        """The numbers at the start, by name: the state, and what a system holds behind it."""
         return dict(self._plan.start)
 
     @property

@@ -39,7 +39,7 @@ def to_sympy(system: str | Path | System | Scenario) -> dict[str, Any]:
         arguments = [symbols[operands[0]]] if name == "input" else [found[k] for k in operands]
         found.append(_operation(sp, name, arguments, number))
     card = scenario.system
-    state = list(scenario.start)
+    state = scenario.state
     rates: dict[str, Any] = {}
     for place, name in zip(outputs, state, strict=False):
         velocity = f"{name}_dot"

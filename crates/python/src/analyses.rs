@@ -6,7 +6,9 @@ use crate::plan::Plan;
 use crate::watch::Watch;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use precess::Error;
-use precess::analyses::{self, Data, PoincareSpec};
+use precess::analyses::{
+    self, BifurcationSpec, Data, FloquetSpec, FrenetSpec, PoincareSpec, PortraitSpec, ResponseSpec,
+};
 use precess::system::Trajectory;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -74,6 +76,82 @@ pub fn poincare(
 ) -> PyResult<Answer> {
     let spec = PoincareSpec { section, direction, x, y };
     let answer = asked(py, progress, |told| analyses::poincare(&plan.scenario, &spec, told))?;
+    Answer::of(py, answer)
+}
+
+/// The phase portrait: fixed points and the picture; windows such as `x=-2:2`.
+#[pyfunction]
+#[pyo3(signature = (plan, windows, levels=None, progress=None))]
+pub fn portrait(
+    py: Python,
+    plan: &Plan,
+    windows: Vec<String>,
+    levels: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let spec = PortraitSpec { windows, levels };
+    let answer = asked(py, progress, |told| analyses::portrait(&plan.scenario, &spec, told))?;
+    Answer::of(py, answer)
+}
+
+/// The response to a drive along a sweep such as `frequency=0.2:3:200`.
+#[pyfunction]
+#[pyo3(signature = (plan, sweep, coordinate=None, down=false, progress=None))]
+pub fn response(
+    py: Python,
+    plan: &Plan,
+    sweep: String,
+    coordinate: Option<String>,
+    down: bool,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let spec = ResponseSpec { sweep, coordinate, down };
+    let answer = asked(py, progress, |told| analyses::response(&plan.scenario, &spec, told))?;
+    Answer::of(py, answer)
+}
+
+/// The bifurcations along a sweep.
+#[pyfunction]
+#[pyo3(signature = (plan, sweep, coordinate=None, down=false, progress=None))]
+pub fn bifurcation(
+    py: Python,
+    plan: &Plan,
+    sweep: String,
+    coordinate: Option<String>,
+    down: bool,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let spec = BifurcationSpec { sweep, coordinate, down };
+    let answer = asked(py, progress, |told| analyses::bifurcation(&plan.scenario, &spec, told))?;
+    Answer::of(py, answer)
+}
+
+/// Floquet multipliers: of the motion near the start, along one sweep, or over two.
+#[pyfunction]
+#[pyo3(signature = (plan, sweeps, progress=None))]
+pub fn floquet(
+    py: Python,
+    plan: &Plan,
+    sweeps: Vec<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let spec = FloquetSpec { sweeps };
+    let answer = asked(py, progress, |told| analyses::floquet(&plan.scenario, &spec, told))?;
+    Answer::of(py, answer)
+}
+
+/// A path in a plane with its curvature.
+#[pyfunction]
+#[pyo3(signature = (plan, x=None, y=None, progress=None))]
+pub fn frenet(
+    py: Python,
+    plan: &Plan,
+    x: Option<String>,
+    y: Option<String>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Answer> {
+    let spec = FrenetSpec { x, y };
+    let answer = asked(py, progress, |told| analyses::frenet(&plan.scenario, &spec, told))?;
     Answer::of(py, answer)
 }
 

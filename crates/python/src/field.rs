@@ -15,6 +15,10 @@ fn full(plan: &precess::Plan, y: &PyReadonlyArray1<f64>) -> PyResult<Vec<f64>> {
     if plan.structure.hybrid {
         return Err(InputError::new_err(format!("{id} has events, which its rates alone do not tell")));
     }
+    if plan.layout.modes > 0 {
+        let why = "moves numbers behind its state, which its rates alone do not tell";
+        return Err(InputError::new_err(format!("{id} {why}")));
+    }
     let mut full = plan.start.clone();
     let y = y.as_array();
     if y.len() != state {

@@ -6,6 +6,7 @@
 #![allow(clippy::needless_pass_by_value)]
 
 mod analyses;
+mod basins;
 mod cards;
 mod ensemble;
 mod error;
@@ -20,7 +21,12 @@ mod watch;
 #[pyo3::pymodule]
 mod _core {
     #[pymodule_export]
-    use crate::analyses::{Answer, Fit, fit, lyapunov, picture, poincare, sensitivities};
+    use crate::analyses::{
+        Answer, Fit, bifurcation, fit, floquet, frenet, lyapunov, picture, poincare, portrait, response,
+        sensitivities,
+    };
+    #[pymodule_export]
+    use crate::basins::{Basins, basins};
     #[pymodule_export]
     use crate::cards::{
         method_cards, scenario_texts, system_card, system_equations, system_ids, unknown, version,

@@ -135,7 +135,12 @@ impl Plan {
         }
         Ok(found)
     }
-    /// The state at the start, by name.
+    /// Names of the state: coordinates, then velocities.
+    #[getter]
+    fn state(&self) -> Vec<String> {
+        self.plan.layout.state().into_iter().map(|q| q.name).collect()
+    }
+    /// The numbers at the start, by name: the state, and what is held behind it.
     #[getter]
     fn start(&self) -> Vec<(String, f64)> {
         self.plan.given().0

@@ -1,0 +1,143 @@
+"""Basins of attraction: where each start of a grid ends, and only what is proved."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from . import _core
+from ._names import extra
+from ._progress import bar
+from ._scenario import Scenario
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    import xarray as xr
+    from matplotlib.figure import Figure
+    from numpy.typing import NDArray
+    from typing_extensions import Unpack
+
+    from ._catalogue import System
+    from ._core import Floats
+    from ._progress import Progress
+    from ._scenario import Settings
+
+
+class Attractor(NamedTuple):
+    """What motions end at."""
+
+    state: dict[str, float]
+    """A state of it."""
+    kind: str
+    """A fixed point, or a cycle."""
+    pass_energy: float | None
+    """The energy below which nothing leaves it, where that is the proof."""
+
+
+class Basins:
+    """Where the starts end.
+
+    `labels` has an axis for each name of `over`: the number of the attractor, -1 where a start is undecided, -2 where
+    it has escaped, -3 where it does not go on in numbers.
+    """
+
+    def __init__(self, over: dict[str, Floats], found: _core.Basins) -> None:
+        shape = tuple(len(values) for values in over.values())
+        self.over = over
+        """The values along each axis."""
+        self.labels: NDArray[np.int32] = found.labels.reshape(shape[::-1]).T
+        """The attractor of each start."""
+        self.times: Floats = found.times.reshape(shape[::-1]).T
+        """When it was known, in s."""
+        self.scenario: Scenario = Scenario.parse(found.scenario)
+        """The run of each start."""
+        names = self.scenario.state
+        self.attractors: tuple[Attractor, ...] = tuple(
+            Attractor(dict(zip(names, state, strict=False)), kind, energy)
+            for state, kind, energy in found.attractors
+        )
+        """The attractors by number."""
+        self.summary: tuple[str, ...] = tuple(found.summary)
+        """Shares of the basins, undecided starts, basin entropy, uncertainty exponent, in words."""
+        self._figure = found.figure
+
+    @property
+    def undecided(self) -> float:
+        """The share of the starts that nothing is proved of."""
+        return float((self.labels == -1).mean())
+
+    def plot(self) -> Figure:
+        """Draw the map with matplotlib."""
+        from ._figure import draw
+
+        return draw(self._figure)
+
+    def to_xarray(self) -> xr.Dataset:
+        """Give a dataset with `label` and `time`, and a dimension for each axis."""
+        try:
+            import xarray as xr
+        except ImportError:
+            raise extra("xarray", "xarray") from None
+        dims = list(self.over)
+        data = {"label": (dims, self.labels.copy()), "time": (dims, self.times.copy(), {"units": "s"})}
+        attrs: dict[str, Any] = {"scenario": self.scenario.toml, "summary": "\n".join(self.summary)}
+        return xr.Dataset(data, coords=self.over, attrs=attrs)
+
+    def __repr__(self) -> str:
+        return (
+            f"<precess.Basins of {self.scenario.system.id}: {len(self.attractors)} attractors, "
+            f"{100 * self.undecided:.2g} % undecided>"
+        )
+
+    def _repr_html_(self) -> str:
+        lines = "".join(f"<li>{html.escape(line)}</li>" for line in self.summary)
+        return f"<b>Basins of attraction</b> <code>{self.scenario.system.id}</code><ul>{lines}</ul>"
+
+
+def basins(
+    system: str | Path | System | Scenario,
+    over: Mapping[str, tuple[float, float, int]],
+    *,
+    wrap: bool = False,
+    threads: int | None = None,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Basins:
+    """Find where each start of a grid ends, and prove it: what is not proved is undecided.
+
+    Parameters
+    ----------
+    over
+        Numbers of the start: `{"x": (-2, 2, 200), "y": (-2, 2, 200)}`, first value, last value, how many.
+    wrap
+        Attractors that differ by whole turns are one.
+    threads
+        How many; as many as there are cores where absent.
+
+    Raises
+    ------
+    InputError
+        Where something makes no sense, the system has events, or nothing can attract.
+
+    """
+    scenario = Scenario.of(system).replace(**settings)
+    if not isinstance(over, Mapping):
+        raise TypeError(
+            f"over is a dictionary from names to (first, last, number), not {type(over).__name__}"
+        )
+    axes: list[tuple[str, float, float, int]] = []
+    for name, span in over.items():
+        try:
+            low, high, points = span
+            axes.append((str(name), float(low), float(high), int(points)))
+        except (TypeError, ValueError):
+            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
+        if axes[-1][3] < 1:
+            raise _core.InputError(f"{name}: at least one value is needed, not {points}")
+    with bar(progress, 1.0, "") as told:
+        found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
+    return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)
