@@ -90,6 +90,7 @@ describe("scenario texts", () => {
     const core = await load(BUILD);
     const base = {
       title: "",
+      label: "",
       system: "pendulum",
       parameters: {},
       start: {},

@@ -28,6 +28,7 @@ const ink: Ink = {
   curves: ["#001", "#002", "#003", "#004", "#005"],
   dark: false,
   font: "serif",
+  weight: 1,
 };
 
 function lookAt(text: string): Look {

@@ -133,8 +133,12 @@ impl Plan {
             method,
         };
         plan.check_method()?;
-        plan.record_equations()?;
         plan.read_run(&scenario.run)?;
+        if catalogue::FIRST {
+            // None of what follows is asked for there, nor is it in the program.
+            return Ok(plan);
+        }
+        plan.record_equations()?;
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
         plan.members = members(scenario)?;
         plan.panels = scenario.figures.iter().map(|f| panel::panel(&plan, f)).collect::<Result<_, _>>()?;

@@ -4,6 +4,8 @@ import type { Catalogue, Method, System } from "../core";
 
 export interface Scenario {
   readonly title: string;
+  /** Its name in legends; mostly empty. */
+  readonly label: string;
   readonly system: string;
   readonly parameters: Readonly<Record<string, string>>;
   readonly start: Readonly<Record<string, string>>;
@@ -36,10 +38,11 @@ function table(name: string, values: Readonly<Record<string, string>>): string[]
 
 /** The scenario file: a line for every value. */
 export function toml(scenario: Scenario): string {
-  const { title, system, parameters, start, method, run, rest } = scenario;
+  const { title, label, system, parameters, start, method, run, rest } = scenario;
   return [
     "precess = 1",
     ...(title ? [`title = ${quoted(title)}`] : []),
+    ...(label ? [`label = ${quoted(label)}`] : []),
     "",
     "[system]",
     `id = ${quoted(system)}`,
@@ -57,7 +60,16 @@ export function toml(scenario: Scenario): string {
 /** A system with the card's defaults, sampled finely enough to be watched. */
 export function fresh({ id, defaults }: System): Scenario {
   const every = round125(Math.abs(defaults.until) / 4000);
-  return { title: "", system: id, parameters: {}, start: {}, method: "", run: { every }, rest: "" };
+  return {
+    title: "",
+    label: "",
+    system: id,
+    parameters: {},
+    start: {},
+    method: "",
+    run: { every },
+    rest: "",
+  };
 }
 
 /** The largest of 1, 2, 5, 10, ... that is not above a number. */

@@ -35,6 +35,7 @@ export function scenarioOf(text: string): Scenario {
   const { method = "", ...settings } = run;
   return {
     title: word(root.get("title")),
+    label: word(root.get("label")),
     system: word(system.get("id")),
     parameters: texts(inner(system, "parameters")),
     start: texts(inner(root, "start")),
