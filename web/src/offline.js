@@ -9,7 +9,7 @@ scope.addEventListener("install", (event) => {
   event.waitUntil(
     caches
       .open(store)
-      .then((cache) => cache.addAll(["./", ...files]))
+      .then((cache) => cache.addAll(["./", "icon.svg", ...files]))
       .then(() => scope.skipWaiting()),
   );
 });
@@ -25,7 +25,7 @@ scope.addEventListener("activate", (event) => {
 
 /** @param {Request} request */
 async function answer(request) {
-  const kept = await caches.match(request, { ignoreSearch: true });
+  const kept = await caches.match(request, { ignoreSearch: true, ignoreVary: true });
   // Names of files change with what is in them; the page itself is asked for first, so that a newer one is seen.
   if (request.mode !== "navigate") return kept ?? fetch(request);
   try {

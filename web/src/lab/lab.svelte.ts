@@ -91,8 +91,8 @@ export class Lab {
     this.words = $state.raw(words);
     this.theme = remembered("theme", ["auto", "light", "dark", "projector"]) ?? "auto";
     this.#history = [scenarioOf(first)];
-    if (location.hash.length > 1) void this.followLink(location.hash);
-    else void this.#run().then(() => this.#everythingElse());
+    const shown = location.hash.length > 1 ? this.followLink(location.hash) : this.#run();
+    void shown.then(() => this.#everythingElse());
   }
 
   /** Loads what the first page does without. */
