@@ -7,6 +7,7 @@ export const en = {
   catalogue: "Systems",
   families: {
     tops: "Tops and free bodies",
+    table: "Bodies on a table",
     pendulums: "Pendulums",
     oscillators: "Oscillators",
     waterwheels: "Waterwheels and Lorenz",

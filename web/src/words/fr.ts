@@ -7,6 +7,7 @@ export const fr: Words = {
   catalogue: "Systèmes",
   families: {
     tops: "Toupies et solides libres",
+    table: "Solides sur une table",
     pendulums: "Pendules",
     oscillators: "Oscillateurs",
     waterwheels: "Roues à eau et Lorenz",
