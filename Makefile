@@ -9,13 +9,14 @@ PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
 .PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-python
-.PHONY: test-python-now test-arm clean cargo
+.PHONY: test-python-now bench-python test-arm clean cargo
 
 help:
 	@echo "make lab    build the lab and serve it to a browser on this machine"
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
 	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
 	@echo "make bench-web  the same in WebAssembly beside native code, under Node and in Chromium"
+	@echo "make bench-python  the Python package beside SciPy"
 	@echo "make test   every test, the lints, the documentation"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
@@ -149,6 +150,11 @@ test-python-now: cargo $(VENV)/installed
 	PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
 	$(VENV)/bin/mypy --cache-dir $(VENV)/mypy
 	$(VENV)/bin/python -m pytest -p no:cacheprovider
+
+# The cone beside SciPy, and the way to a first basin map.
+bench-python: cargo $(VENV)/installed
+	@PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
+	@$(VENV)/bin/python benches/python/cone.py
 
 $(VENV)/installed: python/requirements.txt
 	$(PYTHON) -m venv --clear $(VENV)

@@ -90,3 +90,19 @@ def test_what_makes_no_sense_is_refused(over: dict[str, list[float]], sentence: 
         precess.ensemble("pendulum", {"theta": [1.0]}, keep="sample")
     with pytest.raises(precess.InputError, match="at least one"):
         precess.ensemble("pendulum", {"theta": [1.0]}, threads=0)
+
+
+def test_a_sweep_over_many_parameters_ends_where_it_is_ended() -> None:
+    def end(done: float) -> None:
+        if done > 20:
+            raise LookupError("enough")
+
+    lengths = np.linspace(0.5, 1.5, 200)
+    with pytest.raises(LookupError, match="enough"):
+        precess.ensemble("pendulum", {"l": lengths}, until=1e3, threads=2, progress=end)
+    many = precess.ensemble("pendulum", {"l": lengths}, until=1, threads=2)
+    one = precess.ensemble("pendulum", {"l": lengths}, until=1, threads=1)
+    assert many.numbers.tobytes() == one.numbers.tobytes()
+    assert (
+        many["theta"][7] == precess.simulate("pendulum", parameters={"l": lengths[7]}, until=1)["theta"][-1]
+    )

@@ -1,7 +1,10 @@
 """What others do with a result: tables, datasets, pictures, notebooks; and what an import costs them."""
 
+import doctest
+import importlib
 import subprocess
 import sys
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -100,3 +103,19 @@ def test_every_card_is_a_text() -> None:
     assert "constant where b = b2 = dry = 0" in (precess.systems.pendulum.__doc__ or "")
     for method in precess.methods.values():
         assert method.source in (method.__doc__ or "")
+
+
+def test_examples_in_the_texts_are_right() -> None:
+    for module in ("precess", "precess._simulate", "precess._sympy"):
+        outcome = doctest.testmod(importlib.import_module(module))
+        assert outcome.failed == 0
+        assert outcome.attempted > 1
+
+
+def test_a_dataset_survives_a_netcdf_file(swing: precess.Trajectory, tmp_path: Path) -> None:
+    import xarray as xr
+
+    swing.to_xarray().to_netcdf(tmp_path / "swing.nc", engine="scipy")
+    with xr.open_dataset(tmp_path / "swing.nc", engine="scipy") as again:
+        assert again["theta"].to_numpy().tobytes() == swing.theta.tobytes()
+        assert again.attrs["scenario_hash"] == swing.scenario_hash

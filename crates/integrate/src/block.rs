@@ -4,11 +4,12 @@
 //! bits that it has alone. The block then has several rows of registers, and the equations are evaluated for one row
 //! after another: a processor begins the next row while the divisions and roots of the last are still under way.
 
+use crate::roster::{Listed, Roster};
 use crate::side_by_side::SideBySide;
 use crate::stretch::Stretch;
 use crate::{AnyMethod, NoConvergence, Options, Pace, Samples, Step, Stepper, Steps};
 use precess_scalar::{Kernel, Lanes};
-use precess_system::{Field, Shape};
+use precess_system::Field;
 
 /// Rows of a block.
 const ROWS: usize = 8;
@@ -31,7 +32,7 @@ impl<S: Lanes> Block<'_, S>
 where
     dyn AnyMethod: Steps<S>,
 {
-    /// The most trajectories that a block holds.
+    /// How many trajectories are on their way at a time.
     pub fn capacity(pace: &Pace) -> usize {
         match pace {
             Pace::Fixed(_) => ROWS * S::LANES,
@@ -40,77 +41,75 @@ where
     }
 
     /// Steps trajectories from their full states, one after another in `starts`, to the end. `record` is given
-    /// the number of a sample, that of a trajectory, and its full state. A trajectory that does not arrive in numbers
-    /// has a last sample that is not finite, or none.
-    ///
-    /// # Errors
-    /// Where an implicit step does not converge in some lane; the other lanes are then unfinished, too.
-    ///
-    /// # Panics
-    /// Where there are more than [`capacity`](Self::capacity) trajectories, or none.
-    pub fn run(
-        &self,
-        starts: &[f64],
-        record: &mut dyn FnMut(u64, usize, &[f64]),
-    ) -> Result<(), NoConvergence> {
-        let full = self.field.shape().full();
-        let count = starts.len() / full;
-        let most = Self::capacity(self.pace);
-        assert!((1..=most).contains(&count), "{count} trajectories, not 1 to {most}");
-        let shape = self.field.shape().with_rows(count.div_ceil(S::LANES));
-        // Lanes that are left over repeat the last trajectory.
-        let start = |row: usize, lane: usize, i: usize| {
-            let trajectory = row * S::LANES + lane;
-            starts[(if trajectory < count { trajectory } else { count - 1 }) * full + i]
-        };
-        let mut y = vec![S::from(0.0); shape.size()];
-        for row in 0..shape.rows {
-            for j in 0..full {
-                y[shape.place(row, j)] = S::from_lanes(|lane| start(row, lane, j));
-            }
-        }
-        let mut stepper = Steps::<S>::stepper(self.method, &shape, &self.options);
-        let (field, stepper, samples) = (self.field, &mut *stepper, self.samples);
+    /// the number of a sample, that of a trajectory, and its full state. A trajectory that does not arrive in numbers,
+    /// or that an implicit step leaves behind with its neighbours, has a last sample that is not finite, or none.
+    pub fn run(&self, starts: &[f64], record: &mut dyn FnMut(u64, usize, &[f64])) {
+        let starts = starts.chunks(self.field.shape().full()).enumerate();
+        self.feed(&mut Listed { starts, record });
+    }
+
+    /// Runs all members of a roster. With adaptive steps a lane that is free takes the next start at once; with fixed
+    /// ones the next block begins when the last has ended.
+    pub fn feed(&self, roster: &mut dyn Roster<S>) {
         match self.pace {
-            Pace::Fixed(dt) => self.fixed(*dt, &shape, stepper, y, count, record),
-            Pace::Adaptive(tolerance) => {
-                for (trajectory, start) in starts.chunks(full).enumerate() {
-                    record(0, trajectory, start);
+            Pace::Fixed(dt) => while self.fixed(*dt, roster) {},
+            Pace::Adaptive(tolerance) => loop {
+                let mut stepper = Steps::<S>::stepper(self.method, self.field.shape(), &self.options);
+                let (field, samples, order) = (self.field, self.samples, self.method.card().order);
+                let stepper = &mut *stepper;
+                if S::enter(SideBySide { field, stepper, tolerance, samples, order, roster }).is_ok() {
+                    return;
                 }
-                let order = self.method.card().order;
-                S::enter(SideBySide { field, stepper, tolerance, samples, order, y, count, record })
-            }
+            },
         }
     }
 
-    fn fixed(
-        &self,
-        dt: f64,
-        shape: &Shape,
-        stepper: &mut dyn Stepper<S>,
-        mut y: Vec<S>,
-        count: usize,
-        record: &mut dyn FnMut(u64, usize, &[f64]),
-    ) -> Result<(), NoConvergence> {
-        let mut next = y.clone();
-        let mut state = vec![0.0; shape.full()];
-        let mut tell = |sample: u64, y: &[S]| {
-            for trajectory in 0..count {
-                for (j, x) in state.iter_mut().enumerate() {
-                    *x = y[shape.place(trajectory / S::LANES, j)].lanes()[trajectory % S::LANES];
-                }
-                record(sample, trajectory, &state);
+    /// Runs the next block of fixed steps; false where there was nobody left.
+    fn fixed(&self, dt: f64, roster: &mut dyn Roster<S>) -> bool {
+        let full = self.field.shape().full();
+        let (mut members, mut starts, mut start) = (vec![], vec![], vec![0.0; full]);
+        while members.len() < Self::capacity(self.pace) {
+            let Some(member) = roster.next(&mut start) else { break };
+            members.push(member);
+            starts.extend_from_slice(&start);
+        }
+        let shape = self.field.shape().with_rows(members.len().div_ceil(S::LANES));
+        let Some(last) = members.len().checked_sub(1) else { return false };
+        let mut y = vec![S::from(0.0); shape.size()];
+        for row in 0..shape.rows {
+            for j in 0..full {
+                // Lanes that are left over repeat the last trajectory.
+                let trajectory =
+                    |lane: usize| if row * S::LANES + lane < last { row * S::LANES + lane } else { last };
+                y[shape.place(row, j)] = S::from_lanes(|lane| starts[trajectory(lane) * full + j]);
             }
+        }
+        let mut stepper = Steps::<S>::stepper(self.method, &shape, &self.options);
+        let mut next = y.clone();
+        let mut going = vec![true; members.len()];
+        let mut tell = |sample: u64, y: &[S]| {
+            for (place, going) in going.iter_mut().enumerate().filter(|(_, going)| **going) {
+                for (j, x) in start.iter_mut().enumerate() {
+                    *x = y[shape.place(place / S::LANES, j)].lanes()[place % S::LANES];
+                }
+                *going = roster.sample(sample, members[place], &start);
+            }
+            going.contains(&true)
         };
-        tell(0, &y);
+        let mut going = tell(0, &y);
         for sample in 1..=self.samples.last() {
+            if !going {
+                break;
+            }
             let (from, to) = (self.samples.time(sample - 1), self.samples.time(sample));
             let steps = Stretch::new(from, to, if to < from { -dt } else { dt });
             let (field, stepper, y, next) = (self.field, &mut *stepper, &mut y, &mut next);
-            S::enter(Advance { field, stepper, steps, from, y, next })?;
-            tell(sample, y);
+            if S::enter(Advance { field, stepper, steps, from, y, next }).is_err() {
+                break;
+            }
+            going = tell(sample, y);
         }
-        Ok(())
+        true
     }
 }
 

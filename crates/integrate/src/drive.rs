@@ -47,6 +47,8 @@ pub struct Report {
     pub events: Vec<Occurred>,
     /// The time reached.
     pub end: f64,
+    /// The full state there.
+    pub state: Vec<f64>,
     /// The watch that ended the run.
     pub stopped_by: Option<usize>,
     /// Why the run ended before its time.
@@ -83,6 +85,11 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
         () if run.directions.len() != run.field.shape().events => {
             Some("each event of the system needs a direction")
         }
+        () if run.method.card().needs == Needs::ClosedForm
+            && !(run.directions.is_empty() && run.watches.is_empty()) =>
+        {
+            Some("a closed form is computed from sample to sample and meets no event on the way")
+        }
         () if !run.samples.is_sensible() => {
             Some("the end of a run and the time between samples must be finite numbers")
         }
@@ -94,6 +101,6 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
 
 /// Whether the equations of these states were given, and not those of others, where the method needs them.
 fn knows_equations(run: &Drive) -> bool {
-    matches!(run.method.card().needs, Needs::Any | Needs::Separable)
+    matches!(run.method.card().needs, Needs::Any | Needs::Separable | Needs::ClosedForm)
         || run.options.equations.as_ref().is_some_and(|tape| tape.inputs() == run.field.shape().full() + 1)
 }

@@ -80,6 +80,9 @@ impl<S: Scalar, T: Stepper<S>> Stepper<S> for Entered<T> {
     fn restart(&mut self) {
         self.0.restart();
     }
+    fn begin(&mut self, lanes: S::Mask) {
+        self.0.begin(lanes);
+    }
     fn evaluations(&self) -> u64 {
         self.0.evaluations()
     }

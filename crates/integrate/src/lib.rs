@@ -18,6 +18,7 @@ mod linear;
 mod method;
 mod methods;
 mod pacer;
+mod roster;
 mod samples;
 mod side_by_side;
 mod stretch;
@@ -34,4 +35,5 @@ pub use method::{
     Stepper, Steps,
 };
 pub use methods::{FIRST, METHODS};
+pub use roster::{Roster, Stepped};
 pub use samples::Samples;

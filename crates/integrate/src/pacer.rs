@@ -39,6 +39,14 @@ impl<S: Scalar> Pacer<S> {
         Self { controller: controller(order), h: first, previous: S::from(FORGET), rejected: !S::always() }
     }
 
+    /// Begins anew in some lanes, with their first steps.
+    #[inline(always)]
+    pub fn begin(&mut self, fresh: S::Mask, first: S) {
+        self.h = S::select(fresh, first, self.h);
+        self.previous = S::select(fresh, S::from(FORGET), self.previous);
+        self.rejected = self.rejected & !fresh;
+    }
+
     /// The next step from `t` towards the end: its length, and the time it ends.
     #[inline(always)]
     pub fn next(&self, t: S, until: S) -> (S, S) {

@@ -7,13 +7,11 @@ use crate::error::{Error, input};
 use crate::members::{Keep, Members};
 use crate::plan::Plan;
 use crate::run::{Runner, pace};
-use crate::workers::Workers;
+use crate::workers::{Workers, chunk, spread};
 use precess_integrate::{AnyMethod, Block, Failure, Pace, Samples, Steps};
 use precess_scalar::{Lanes, with_lanes};
 use precess_system::{AnySystem, Bind, Field};
-use std::ops::ControlFlow;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc;
+use std::ops::{ControlFlow, Range};
 
 /// Runs a plan from many starts: full states, one after another (see [`grid`](crate::grid)). `progress` is told how
 /// many members are done and may end the work; members that are not done then count as interrupted.
@@ -78,58 +76,32 @@ where
         self.plan.layout.events.is_empty()
     }
     /// Members that are computed together.
-    fn block(&self) -> usize {
-        if self.goes_in_lanes() { Block::<S>::capacity(&self.pace) } else { 1 }
+    fn block(&self, threads: usize) -> usize {
+        match self.pace {
+            _ if !self.goes_in_lanes() => 1,
+            Pace::Fixed(_) => Block::<S>::capacity(&self.pace),
+            Pace::Adaptive(_) => chunk(self.members(), S::LANES, threads),
+        }
     }
 
     fn done_by(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Members {
-        let blocks = self.members().div_ceil(self.block());
+        let block = self.block(threads);
+        let range = |k: usize| {
+            k * block..if (k + 1) * block < self.members() { (k + 1) * block } else { self.members() }
+        };
+        let blocks = self.members().div_ceil(block);
         let mut parts: Vec<Option<Part>> = vec![None; blocks];
         let mut done = 0;
-        let mut take = |index: usize, part: Part| {
+        spread(threads, blocks, &|k| self.part(range(k)), &mut |index, part: Part| {
             parts[index] = Some(part);
-            done += self.block();
-            progress(done.min(self.members()))
-        };
-        if threads < 2 || blocks < 2 {
-            for index in 0..blocks {
-                if take(index, self.part(index)).is_break() {
-                    break;
-                }
-            }
-        } else {
-            self.spread(threads.min(blocks), blocks, &mut take);
-        }
-        self.join(parts)
-    }
-
-    /// Threads take the next block that nobody has taken; this one receives what they have done.
-    fn spread(&self, threads: usize, blocks: usize, take: &mut dyn FnMut(usize, Part) -> ControlFlow<()>) {
-        let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
-        let (send, receive) = mpsc::channel();
-        std::thread::scope(|scope| {
-            for _ in 0..threads {
-                let (send, next, stop) = (send.clone(), &next, &stop);
-                scope.spawn(move || {
-                    while !stop.load(Ordering::Relaxed) {
-                        let index = next.fetch_add(1, Ordering::Relaxed);
-                        if index >= blocks || send.send((index, self.part(index))).is_err() {
-                            return;
-                        }
-                    }
-                });
-            }
-            drop(send);
-            for (index, part) in receive {
-                if take(index, part).is_break() {
-                    stop.store(true, Ordering::Relaxed);
-                }
-            }
+            done += range(index).len();
+            progress(done)
         });
+        self.join(parts.into_iter().enumerate().map(|(k, part)| (range(k), part)))
     }
 
     /// The parts in order; what nobody has done was interrupted.
-    fn join(&self, parts: Vec<Option<Part>>) -> Members {
+    fn join(&self, parts: impl Iterator<Item = (Range<usize>, Option<Part>)>) -> Members {
         let mut members = Members {
             state: self.plan.layout.shape().state(),
             times: match self.keep {
@@ -139,8 +111,7 @@ where
             numbers: Vec::with_capacity(self.members() * self.size()),
             failures: vec![],
         };
-        for (index, part) in parts.into_iter().enumerate() {
-            let range = self.range(index);
+        for (range, part) in parts {
             let (numbers, failures) = part.unwrap_or_else(|| {
                 let failures = range.clone().map(|member| (member, Failure::Interrupted { t: 0.0 }));
                 (vec![f64::NAN; range.len() * self.size()], failures.collect())
@@ -151,21 +122,16 @@ where
         members
     }
 
-    /// The members of a block.
-    fn range(&self, index: usize) -> std::ops::Range<usize> {
-        let first = index * self.block();
-        first..(first + self.block()).min(self.members())
-    }
-
-    fn part(&self, index: usize) -> Part {
-        let range = self.range(index);
+    fn part(&self, range: Range<usize>) -> Part {
         let mut numbers = vec![f64::NAN; range.len() * self.size()];
         let mut failures = vec![];
-        let done = self.goes_in_lanes() && self.in_lanes(range.clone(), &mut numbers);
+        if self.goes_in_lanes() {
+            self.in_lanes(range.clone(), &mut numbers);
+        }
         let size = self.size();
         for (member, numbers) in range.zip(numbers.chunks_mut(size)) {
             // A member that did not come through in its lane runs alone, which tells when and why.
-            if !done || !numbers[size - self.plan.layout.shape().state()..].iter().all(|x| x.is_finite()) {
+            if !numbers[size - self.plan.layout.shape().state()..].iter().all(|x| x.is_finite()) {
                 failures.extend(self.alone(member, numbers).map(|failure| (member, failure)));
             }
         }
@@ -183,8 +149,7 @@ where
         numbers[place * state..][..state].copy_from_slice(&y[..state]);
     }
 
-    /// False where an implicit step has not converged in some lane.
-    fn in_lanes(&self, members: std::ops::Range<usize>, numbers: &mut [f64]) -> bool {
+    fn in_lanes(&self, members: Range<usize>, numbers: &mut [f64]) {
         let plan = self.plan;
         let block = Block {
             field: &*self.field,
@@ -198,7 +163,7 @@ where
         let mut record = |sample: u64, member: usize, y: &[f64]| {
             self.keep(sample, y, &mut numbers[member * size..][..size]);
         };
-        block.run(starts, &mut record).is_ok()
+        block.run(starts, &mut record);
     }
 
     fn alone(&self, member: usize, numbers: &mut [f64]) -> Option<Failure> {

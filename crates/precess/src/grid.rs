@@ -1,7 +1,8 @@
 //! Starts on a grid: every combination of values of a few named quantities.
 
-use crate::error::{Error, input, unknown};
+use crate::error::{Error, input, quoted, unknown};
 use crate::plan::Plan;
+use crate::value;
 use precess_system::Quantity;
 
 /// Evenly spaced starts of one quantity, both ends included.
@@ -24,6 +25,26 @@ impl Axis {
             return self.low;
         }
         self.low + (self.high - self.low) * (k as f64 / (self.points - 1) as f64)
+    }
+}
+
+impl Axis {
+    /// From `x=-2:2:200`: name, first and last value (with units, if need be), number of points.
+    ///
+    /// # Errors
+    /// Where the text is no axis, or the name no initial value of the plan.
+    pub fn parse(plan: &Plan, text: &str) -> Result<Self, Error> {
+        let at = |e: Error| e.at(&format!("grid {}", quoted(text)));
+        let wrong = || input("a grid is written as NAME=LOW:HIGH:N, such as x=-2:2:200").map_err(at);
+        let Some((name, range)) = text.split_once('=') else { return wrong() };
+        let parts: Vec<&str> = range.split(':').collect();
+        let [low, high, points] = parts[..] else { return wrong() };
+        let unit = &quantities(plan, [name.trim()]).map_err(at)?[0].unit;
+        let number = |text: &str| value::parse(text.trim()).and_then(|v| v.in_unit(unit)).map_err(at);
+        let Ok(points) = points.trim().parse() else {
+            return input(format!("{} is no number of points", quoted(points.trim()))).map_err(at);
+        };
+        Ok(Self { name: name.trim().into(), low: number(low)?, high: number(high)?, points })
     }
 }
 

@@ -2,6 +2,9 @@
 
 use crate::error::{Error, input};
 use precess_scalar::Isa;
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc;
 
 /// How an ensemble is computed: nothing here changes a bit of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,4 +34,52 @@ impl Workers {
             Err(_) => Ok(Self::all()),
         }
     }
+}
+
+/// Members of a chunk for each lane.
+const ROUNDS: usize = 16;
+
+/// Members of a chunk: enough for lanes to be refilled, few enough for all threads to have some.
+pub(crate) fn chunk(members: usize, lanes: usize, threads: usize) -> usize {
+    let fair = members.div_ceil(4 * threads).next_multiple_of(lanes);
+    if fair < ROUNDS * lanes { fair } else { ROUNDS * lanes }
+}
+
+/// Does pieces of work: threads take the next one that nobody has taken, and `take` is given what comes out, in the order
+/// in which it comes; where it breaks, no further piece is begun.
+pub(crate) fn spread<T: Send>(
+    threads: usize,
+    pieces: usize,
+    work: &(dyn Fn(usize) -> T + Sync),
+    take: &mut dyn FnMut(usize, T) -> ControlFlow<()>,
+) {
+    if threads < 2 || pieces < 2 {
+        for index in 0..pieces {
+            if take(index, work(index)).is_break() {
+                return;
+            }
+        }
+        return;
+    }
+    let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let (send, receive) = mpsc::channel();
+    std::thread::scope(|scope| {
+        for _ in 0..if threads < pieces { threads } else { pieces } {
+            let (send, next, stop) = (send.clone(), &next, &stop);
+            scope.spawn(move || {
+                while !stop.load(Ordering::Relaxed) {
+                    let index = next.fetch_add(1, Ordering::Relaxed);
+                    if index >= pieces || send.send((index, work(index))).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(send);
+        for (index, part) in receive {
+            if take(index, part).is_break() {
+                stop.store(true, Ordering::Relaxed);
+            }
+        }
+    });
 }
