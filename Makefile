@@ -123,6 +123,12 @@ test-web:
 
 test-web-now: wasm web/node_modules/.package-lock.json
 	cd web && npm run --silent check && npm run --silent test && npm run --silent build -- --logLevel warn
+	@if test -x "$(CHROMIUM)"; then cd web && CHROMIUM="$(CHROMIUM)" npm run --silent e2e; else \
+	  echo "precess: the tests of the lab in a browser are skipped, since they need Chromium (Debian: chromium)" >&2; \
+	  test "$$PRECESS_REQUIRE_ALL" != 1; fi
+
+# The browser of the tests.
+CHROMIUM ?= $(or $(shell command -v chromium || command -v chromium-browser || command -v google-chrome),/usr/bin/chromium)
 
 web/node_modules/.package-lock.json: web/package-lock.json
 	cd web && npm ci --no-audit --no-fund && touch node_modules/.package-lock.json

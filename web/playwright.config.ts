@@ -5,7 +5,8 @@ const PORT = 4173;
 
 export default defineConfig({
   testDir: "e2e",
-  timeout: 30_000,
+  timeout: 45_000,
+  expect: { timeout: 10_000 },
   workers: 1,
   reporter: "line",
   use: {

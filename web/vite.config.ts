@@ -1,4 +1,5 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
+import { createHash } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { defineConfig, type Plugin } from "vite";
 import { catalogue } from "./tools/catalogue.js";
@@ -35,6 +36,20 @@ const newFonts: Plugin = {
       : undefined,
 };
 
+/** The service worker knows every file of the build. */
+const offline: Plugin = {
+  name: "offline",
+  generateBundle(_, bundle) {
+    const files = Object.keys(bundle)
+      .filter((file) => file.startsWith("assets/"))
+      .sort();
+    const version = createHash("sha256").update(files.join()).digest("hex").slice(0, 12);
+    const text = readFileSync(new URL("src/offline.js", import.meta.url), "utf8");
+    const source = text.replace('["", []]', JSON.stringify([version, files]));
+    this.emitFile({ type: "asset", fileName: "offline.js", source });
+  },
+};
+
 /** With these a page may share memory with its workers, so that a run can be stopped without being lost. */
 const headers = {
   "Cross-Origin-Opener-Policy": "same-origin",
@@ -44,7 +59,7 @@ const headers = {
 // The site is served from anywhere, under a policy that allows nothing inline and nothing from elsewhere.
 export default defineConfig({
   base: "./",
-  plugins: [svelte(), firstPage(), newFonts],
+  plugins: [svelte(), firstPage(), newFonts, offline],
   worker: { format: "es" },
   server: { headers },
   preview: { headers },

@@ -8,9 +8,10 @@ import { road } from "../src/scenes/car_suspension";
 import { wire } from "../src/scenes/bead_on_curve";
 import { chain } from "../src/scenes/n_pendulum";
 import { Pen } from "../src/scenes/kit/pen";
-import type { Place, Scene, Turn } from "../src/scenes/kit/scene";
+import type { Place, Scene } from "../src/scenes/kit/scene";
 import { axis, usual } from "../src/scenes/kit/usual";
 import { polynomial } from "../src/scenes/kit/landscape";
+import { supportOf, surface, turned } from "../src/scenes/kit/table";
 import { load } from "./builds";
 
 const core = await load("precess");
@@ -28,6 +29,7 @@ const ink: Ink = {
   curves: ["#001", "#002", "#003", "#004", "#005"],
   dark: false,
   font: "serif",
+  weight: 1,
 };
 
 function lookAt(text: string): Look {
@@ -46,15 +48,6 @@ function systemOf(id: string) {
   return system;
 }
 const usualRun = (id: string) => lookAt(toml(fresh(systemOf(id))));
-
-function turned([x, y, z, w]: Turn, v: Place): Place {
-  const t = [2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])] as const;
-  return [
-    v[0] + w * t[0] + y * t[2] - z * t[1],
-    v[1] + w * t[1] + z * t[0] - x * t[2],
-    v[2] + w * t[2] + x * t[1] - y * t[0],
-  ];
-}
 
 /** Draws a flat scene as SVG; a number that is none would stand in it. */
 function drawn(scene: Extract<Scene, { kind: "flat" }>, look: Look, sample: number): string {
@@ -150,4 +143,30 @@ test("bodies point where the core says", () => {
       if (look.has("qw")) expect(axis(look, sample)[2]).toBeCloseTo(look.at("axis_z", sample), 6);
     }
   }
+});
+
+test("a body touches the table where the core says, and hangs together", () => {
+  const touching = systems.filter(({ observables }) => observables.some(({ name }) => name === "contact3"));
+  for (const { id } of touching) {
+    const look = usualRun(id);
+    const shape = surface(supportOf(look));
+    for (const sample of [0, look.times.length >> 1]) {
+      const [x, y, z, w] = ["qx", "qy", "qz", "qw"].map((name) => look.at(name, sample)) as [
+        number,
+        number,
+        number,
+        number,
+      ];
+      // Downwards, in body axes.
+      const touch = shape(turned([-x, -y, -z, w], [0, 0, -1]));
+      ["contact1", "contact2", "contact3"].forEach((name, k) => {
+        expect(touch[k], `${id} ${name}`).toBeCloseTo(look.at(name, sample), 6);
+      });
+    }
+  }
+  // An ellipsoid, a ball and a shifted point by hand.
+  const shape = surface({ point: [0, 0, 0.1], radius: 0.5, axes: [3, 2, 1] });
+  const normal: Place = [0, 0.6, 0.8];
+  const reach = Math.hypot(2 * 0.6, 0.8);
+  expect(shape(normal)).toEqual([0, 0.3 + (4 * 0.6) / reach, 0.1 + 0.4 + 0.8 / reach]);
 });

@@ -4,15 +4,18 @@ use crate::error::{Error, unknown};
 use precess_integrate::{AnyMethod, METHODS};
 use precess_system::AnySystem;
 
+/// Whether this is the small core of the lab's first page.
+pub(crate) const FIRST: bool = cfg!(feature = "first");
+
 /// Every system.
 pub fn systems() -> &'static [&'static dyn AnySystem] {
     // What is not named here is not in the program either.
-    if cfg!(feature = "first") { precess_models::FIRST } else { precess_models::ALL }
+    if FIRST { precess_models::FIRST } else { precess_models::ALL }
 }
 
 /// Every method.
 pub fn methods() -> &'static [&'static dyn AnyMethod] {
-    if cfg!(feature = "first") { precess_integrate::FIRST } else { METHODS }
+    if FIRST { precess_integrate::FIRST } else { METHODS }
 }
 
 /// The system of this id.

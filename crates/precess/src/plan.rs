@@ -144,6 +144,11 @@ impl Plan {
             method,
         };
         plan.check_method()?;
+        if catalogue::FIRST {
+            // None of what follows is asked for there, nor is it in the program.
+            plan.read_run(&scenario.run)?;
+            return Ok(plan);
+        }
         plan.record_equations()?;
         plan.read_run(&scenario.run)?;
         if plan.method.card().needs == Needs::ClosedForm && !scenario.events.is_empty() {

@@ -68,6 +68,9 @@ pub struct EventSpec {
     pub stop: bool,
 }
 
+/// The small core of the lab's first page neither watches nor draws.
+const WHOLE: bool = !crate::catalogue::FIRST;
+
 /// The newest format that is understood.
 const FORMAT: &str = "1";
 
@@ -114,9 +117,9 @@ impl Scenario {
                 "system" => scenario.read_system(text, as_table(value).map_err(at)?)?,
                 "start" => scenario.start = values(text, as_table(value).map_err(at)?)?,
                 "run" => scenario.read_run(text, as_table(value).map_err(at)?)?,
-                "event" => scenario.events = tables(value, EventSpec::read).map_err(at)?,
-                "family" => scenario.families = tables(value, FamilySpec::read).map_err(at)?,
-                "figure" => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
+                "event" if WHOLE => scenario.events = tables(value, EventSpec::read).map_err(at)?,
+                "family" if WHOLE => scenario.families = tables(value, FamilySpec::read).map_err(at)?,
+                "figure" if WHOLE => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
                 other => {
                     return Err(at(unknown("key", other, KEYS)));
                 }

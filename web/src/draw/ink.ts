@@ -10,6 +10,8 @@ export interface Ink {
   curves: string[];
   dark: boolean;
   font: string;
+  /** How much stronger lines and letters are than usual. */
+  weight: number;
 }
 
 export function inkOf(element: Element): Ink {
@@ -24,6 +26,7 @@ export function inkOf(element: Element): Ink {
     curves: ["curve1", "curve2", "curve3", "curve4", "curve5"].map(colour),
     dark: colour("dark") === "1",
     font: style.fontFamily,
+    weight: Number(colour("weight")) || 1,
   };
 }
 

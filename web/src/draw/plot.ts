@@ -63,7 +63,7 @@ export function drawPlot(
 ): Frame {
   const byTime = plot.x.startsWith("t ") || plot.x === "t";
   const f = frameOf(plot, w, h, byTime);
-  pen.font = `12px ${ink.font}`;
+  pen.font = `${12 * Math.min(ink.weight, 1.25)}px ${ink.font}`;
   const across = ticks(f.x[0], f.x[1], (f.right - f.left) / 80);
   const up = ticks(f.y[0], f.y[1], (f.bottom - f.top) / 40);
   millimetres(pen, f, across, up, ink);
@@ -90,7 +90,7 @@ export function drawPlot(
   for (const curve of plot.curves) {
     pen.strokeStyle = ink.curves[curve.colour % ink.curves.length] ?? ink.ink;
     pen.setLineDash([...(DASHES[curve.colour % DASHES.length] ?? [])]);
-    pen.lineWidth = curve.colour === 0 ? 1.6 : 1.3;
+    pen.lineWidth = (curve.colour === 0 ? 1.6 : 1.3) * ink.weight;
     trace(pen, f, curve, byTime);
   }
   pen.restore();

@@ -3,16 +3,15 @@
 import type { Catalogue, Method, Scenario as Preset, System } from "../core";
 import first from "../first.toml?raw";
 import firstPage from "virtual:first-page";
-import { WORDS } from "../words";
+import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
-import { decode, encode } from "./link";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
 import { Cancelled, Refusal, Runner, type Done } from "./runner";
 import { blame, by, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
 import { scenarioOf, systemIn } from "./toml";
 
-export type Theme = "auto" | "light" | "dark";
+export type Theme = "auto" | "light" | "dark" | "projector";
 
 /** A run under another method, drawn over the one at hand. */
 export interface Rival {
@@ -40,10 +39,18 @@ function remember(key: string, value: string): void {
 
 const FIRST = toml(scenarioOf(first));
 
+/** The language that was chosen, or the browser's. */
+export function languageOf(): Language {
+  const browsers = navigator.language.toLowerCase().startsWith("fr") ? "fr" : "en";
+  return remembered("language", ["en", "fr"]) ?? browsers;
+}
+
 const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 export class Lab {
   catalogue = $state.raw<Catalogue>(firstPage);
+  /** The scene alone, to be shown within another page. */
+  readonly bare = /[?&]ui=none(&|$)/.test(location.search);
   /** Whether everything is there, not only the first page. */
   whole = $state(false);
   readonly #runner: Runner;
@@ -52,6 +59,7 @@ export class Lab {
   #history = $state.raw<Scenario[]>([]);
   #at = $state(0);
   language = $state<Language>("en");
+  words: Words;
   theme = $state<Theme>("auto");
 
   look = $state.raw<Look | undefined>(undefined);
@@ -72,18 +80,19 @@ export class Lab {
   rivals = $state.raw<Rival[]>([]);
 
   static async open(): Promise<Lab> {
-    return new Lab(await Runner.open());
+    const language = languageOf();
+    const [runner, words] = await Promise.all([Runner.open(), wordsOf(language)]);
+    return new Lab(runner, language, words);
   }
 
-  private constructor(runner: Runner) {
+  private constructor(runner: Runner, language: Language, words: Words) {
     this.#runner = runner;
-    this.language =
-      remembered("language", ["en", "fr"]) ??
-      (navigator.language.toLowerCase().startsWith("fr") ? "fr" : "en");
-    this.theme = remembered("theme", ["auto", "light", "dark"]) ?? "auto";
+    this.language = language;
+    this.words = $state.raw(words);
+    this.theme = remembered("theme", ["auto", "light", "dark", "projector"]) ?? "auto";
     this.#history = [scenarioOf(first)];
-    if (decode(location.hash)) this.followLink(location.hash);
-    else void this.#run().then(() => this.#everythingElse());
+    const shown = location.hash.length > 1 ? this.followLink(location.hash) : this.#run();
+    void shown.then(() => this.#everythingElse());
   }
 
   /** Loads what the first page does without. */
@@ -100,9 +109,6 @@ export class Lab {
     return this.#runner.run(text, progress);
   }
 
-  get words() {
-    return WORDS[this.language];
-  }
   get scenario(): Scenario {
     return this.#history[this.#at] ?? scenarioOf(first);
   }
@@ -132,8 +138,8 @@ export class Lab {
     return text[this.language];
   }
 
-  speak(language: Language): void {
-    this.language = language;
+  async speak(language: Language): Promise<void> {
+    [this.words, this.language] = [await wordsOf(language), language];
     remember("language", language);
   }
   dress(theme: Theme): void {
@@ -168,20 +174,21 @@ export class Lab {
   }
 
   /** The address of the scenario at hand. */
-  get link(): string {
+  async link(): Promise<string> {
+    const { encode } = await import("./link");
     return `${location.href.replace(/#.*$/s, "")}#${encode(this.text)}`;
   }
 
   /** Opens what an address holds; what was there before can be had back by undoing. */
-  followLink(hash: string): void {
+  async followLink(hash: string): Promise<void> {
+    const { decode } = await import("./link");
     const decoded = decode(hash);
-    if (!decoded || ("text" in decoded && decoded.text === this.text)) return;
-    if ("wrong" in decoded) {
-      this.notice = this.words.link[decoded.wrong];
-      if (!this.look) void this.#run();
+    if (decoded && "text" in decoded && decoded.text !== this.text) {
+      await this.openText(decoded.text);
       return;
     }
-    void this.openText(decoded.text);
+    if (decoded && "wrong" in decoded) this.notice = this.words.link[decoded.wrong];
+    if (!this.look) await this.#run();
   }
 
   /** Opens a scenario file. What the reader here does not know, the core spells out. */
@@ -211,7 +218,10 @@ export class Lab {
 
   #changed(): void {
     this.notice = "";
-    history.replaceState(null, "", `#${encode(this.text)}`);
+    const { scenario } = this;
+    void this.link().then((link) => {
+      if (scenario === this.scenario) history.replaceState(null, "", link);
+    });
     void this.#run();
   }
 
@@ -325,6 +335,8 @@ export class Lab {
     const { columns } = look.result.report;
     const values = columns
       .filter(({ kind }) => kind === "time" || kind === "state")
+      // Nobody listens to hundreds of numbers.
+      .slice(0, 16)
       .map(({ name, unit }) =>
         `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${unit}`.trim(),
       );

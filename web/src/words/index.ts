@@ -1,6 +1,9 @@
 import type { Language } from "../lab/number";
 import { en, type Words } from "./en";
-import { fr } from "./fr";
 
 export type { Words };
-export const WORDS: Record<Language, Words> = { en, fr };
+
+/** The words of a language; whoever reads English loads no French. */
+export async function wordsOf(language: Language): Promise<Words> {
+  return language === "fr" ? (await import("./fr")).fr : en;
+}

@@ -53,7 +53,7 @@ export class Pen {
     const pen = this.#pen;
     this.#path(points);
     pen.strokeStyle = colour;
-    pen.lineWidth = width;
+    pen.lineWidth = width * this.ink.weight;
     pen.setLineDash(dash);
     pen.stroke();
     pen.setLineDash([]);
@@ -87,7 +87,7 @@ export class Pen {
     pen.beginPath();
     pen.arc(this.x(x), this.y(y), radius * this.#scale, 0, 2 * Math.PI);
     pen.strokeStyle = colour;
-    pen.lineWidth = width;
+    pen.lineWidth = width * this.ink.weight;
     pen.stroke();
   }
 
@@ -197,7 +197,7 @@ export class Pen {
   /** A few letters beside a point. */
   letter(x: number, y: number, text: string, colour = this.ink.faint): void {
     const pen = this.#pen;
-    pen.font = `italic 15px ${this.ink.font}`;
+    pen.font = `italic ${15 * this.ink.weight}px ${this.ink.font}`;
     pen.textAlign = "center";
     pen.textBaseline = "middle";
     pen.fillStyle = colour;
@@ -217,7 +217,7 @@ export class Pen {
     const from = Math.max(0, sample - Math.ceil(look.times.length / 3));
     const step = Math.max(1, Math.floor((sample - from) / PARTS));
     pen.strokeStyle = colour;
-    pen.lineWidth = 1.4;
+    pen.lineWidth = 1.4 * this.ink.weight;
     for (let a = from; a < sample; a += step) {
       const b = Math.min(a + step, sample);
       pen.globalAlpha = 0.12 + 0.88 * ((b - from) / Math.max(sample - from, 1)) ** 1.5;

@@ -2,9 +2,11 @@
 
 import type { Look } from "../../lab/result";
 import { recorder } from "./recorder";
+import { onTable } from "./table";
 import { ballProfile, turnOf, type Flat, type Place, type Scene, type Solid } from "./scene";
 
 export function usual(look: Look): Scene {
+  if (look.has("qw") && look.has("contact3")) return onTable;
   if (look.has("qw") || (look.has("psi") && look.has("theta") && look.has("phi"))) return turning;
   if (look.has("x") && look.has("y") && look.has("z")) return path;
   if (look.has("x") && look.has("y")) return plane;
