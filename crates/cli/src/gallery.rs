@@ -172,7 +172,8 @@ impl Page {
 /// French sets a space before these signs, at which no line ends.
 fn unbroken(text: &str) -> String {
     let signs = [" ;", " :", " ?", " !", " »"];
-    let joined = signs.iter().fold(text.to_string(), |text, sign| text.replace(sign, &sign.replace(' ', "\u{a0}")));
+    let joined =
+        signs.iter().fold(text.to_string(), |text, sign| text.replace(sign, &sign.replace(' ', "\u{a0}")));
     joined.replace("« ", "«\u{a0}")
 }
 
