@@ -26,7 +26,7 @@ const PAGES: [Page; 2] = [
         other: ("index.fr.html", "fr", "En français"),
         title: "Precess: the gallery",
         about: "Every picture is a run of the program; under each stands the command that draws it.",
-        source: "Source",
+        source: "Source: ",
         scenario: "scenario",
     },
     Page {
@@ -35,7 +35,7 @@ const PAGES: [Page; 2] = [
         other: ("index.html", "en", "In English"),
         title: "Precess : la galerie",
         about: "Chaque image est un calcul du programme ; la commande qui la dessine est écrite dessous.",
-        source: "Source",
+        source: "Source\u{a0}: ",
         scenario: "scénario",
     },
 ];
@@ -149,7 +149,8 @@ impl Page {
             "fr" => (&words.title_fr, &words.note_fr),
             _ => (&scenario.title, &words.note),
         };
-        let (title, note, source) = (escaped(title), escaped(note), escaped(&words.source));
+        let set = |text: &str| if self.language == "fr" { unbroken(&escaped(text)) } else { escaped(text) };
+        let (title, note, source) = (set(title), set(note), set(&words.source));
         // Writing to a String cannot fail.
         let _ = writeln!(
             out,
@@ -157,7 +158,7 @@ impl Page {
              <p>{note}</p>"
         );
         if !source.is_empty() {
-            let _ = writeln!(out, "<p><small>{}: {source}</small></p>", self.source);
+            let _ = writeln!(out, "<p><small>{}{source}</small></p>", self.source);
         }
         let _ = writeln!(
             out,
@@ -166,6 +167,14 @@ impl Page {
             self.scenario
         );
     }
+}
+
+/// French sets a space before these signs, at which no line ends.
+fn unbroken(text: &str) -> String {
+    let signs = [" ;", " :", " ?", " !", " »"];
+    let joined =
+        signs.iter().fold(text.to_string(), |text, sign| text.replace(sign, &sign.replace(' ', "\u{a0}")));
+    joined.replace("« ", "«\u{a0}")
 }
 
 fn escaped(text: &str) -> String {

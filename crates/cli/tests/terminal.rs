@@ -547,7 +547,7 @@ fn a_gallery_has_pictures_notes_and_both_languages() {
     assert!(made.status.success(), "{}", err(&made));
     let read = |name: &str| std::fs::read_to_string(Path::new(&place).join(name)).expect("a file");
     let (english, french) = (read("index.html"), read("index.fr.html"));
-    assert!(english.contains("src=\"p-fig-6.svg\"") && english.contains("exercise 11"), "{english}");
+    assert!(english.contains("src=\"p-fig-6.svg\"") && english.contains("Source: P, ex. 11"), "{english}");
     assert!(english.find("p-fig-6") < english.find("p-ex-11"));
     assert!(french.contains("une bille dans une parabole") && french.contains("lang=\"fr\""), "{french}");
     assert!(read("p-fig-6.svg").contains("<svg") && read("p-ex-11.toml").contains("precess = 1"));

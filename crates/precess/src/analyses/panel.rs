@@ -4,13 +4,16 @@ use super::bifurcation::{self, BifurcationSpec};
 use super::poincare::{self, PoincareSpec};
 use super::response::{self, ResponseSpec};
 use super::{Sweep, Window, floquet, portrait};
+use crate::basins::{BasinsSpec, basins};
 use crate::canonical::scenario_toml;
 use crate::error::{Error, input};
 use crate::figure::{Mark, Panel};
+use crate::grid::Axis;
 use crate::picture::{Shown, Watcher, curves};
 use crate::plan::{PanelPlan, Plan};
 use crate::scenario::{FigureKind, FigureSpec, Scenario};
 use crate::value::Value;
+use crate::workers::Workers;
 
 /// The panel of a kind that the analyses know.
 pub(crate) fn panel(
@@ -33,6 +36,12 @@ pub(crate) fn panel(
                 BifurcationSpec { sweep: sweep(panel)?, coordinate: spec.y.first().cloned(), down: false };
             bifurcation::of_scenario(&alone(plan)?, &asked, progress)?.1
         }
+        FigureKind::Basins => {
+            let axes = spec.grid.iter().map(|text| Axis::parse(plan, text)).collect::<Result<_, _>>()?;
+            let asked = BasinsSpec { axes, wrap: false };
+            let found = basins(&alone(plan)?, &asked, Workers::chosen()?, progress)?;
+            found.figure().panels.into_iter().next().unwrap_or_default()
+        }
         FigureKind::Tongues => {
             let [x, y] = &spec.grid[..] else {
                 return input("tongues need grid = [\"NAME=LOW:HIGH:N\", \"NAME=LOW:HIGH:N\"]");
@@ -50,7 +59,7 @@ pub(crate) fn panel(
         title: if spec.title.is_empty() { drawn.title } else { spec.title.clone() },
         x_range: panel.x_range.or(drawn.x_range),
         y_range: panel.y_range.or(drawn.y_range),
-        equal_scales: spec.equal_scales,
+        equal_scales: spec.equal_scales || drawn.equal_scales,
         ..drawn
     })
 }

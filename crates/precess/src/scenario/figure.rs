@@ -23,6 +23,8 @@ pub enum FigureKind {
     Response,
     /// Where the settled motion comes by, against a parameter.
     Bifurcation,
+    /// Which starts end where.
+    Basins,
     /// Where the motion over two parameters is unstable.
     Tongues,
     /// Where the motion passes through a surface.
@@ -31,13 +33,14 @@ pub enum FigureKind {
 
 impl FigureKind {
     /// All of them by name.
-    pub const ALL: [(&'static str, Self); 8] = [
+    pub const ALL: [(&'static str, Self); 9] = [
         ("curves", Self::Curves),
         ("snapshot", Self::Snapshot),
         ("potential", Self::Potential),
         ("portrait", Self::Portrait),
         ("response", Self::Response),
         ("bifurcation", Self::Bifurcation),
+        ("basins", Self::Basins),
         ("tongues", Self::Tongues),
         ("poincare", Self::Poincare),
     ];
