@@ -9,13 +9,14 @@ PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
 .PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-python
-.PHONY: test-python-now test-arm clean cargo
+.PHONY: test-python-now bench-python test-arm clean cargo
 
 help:
 	@echo "make lab    build the lab and serve it to a browser on this machine"
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
 	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
 	@echo "make bench-web  the same in WebAssembly beside native code, under Node and in Chromium"
+	@echo "make bench-python  the Python package beside SciPy"
 	@echo "make test   every test, the lints, the documentation"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
@@ -89,18 +90,19 @@ lint: cargo
 golden: cargo
 	PRECESS_BLESS=1 $(CARGO) test -p precess --test golden
 
-# Two builds of the same core, with and without lanes of 128 bits. Never relaxed SIMD: its results differ between
+# Builds of the same core, with and without lanes of 128 bits, and one that holds the lab's first page alone. Never relaxed SIMD: its results differ between
 # machines. A folder for each, so that neither build makes the other one stale; no path of this machine in the file.
 # A file that did not change is left alone, so that the lab is not built anew from it.
 wasm: wasm-target
 	@mkdir -p web/wasm
-	@$(call build-wasm,precess,)
-	@$(call build-wasm,precess-simd128,-C target-feature=+simd128)
+	@$(call build-wasm,precess,,wasm)
+	@$(call build-wasm,precess-simd128,-C target-feature=+simd128,wasm)
+	@$(call build-wasm,precess-first,,wasm-first,--features first)
 
 build-wasm = CARGO_TARGET_$(shell echo $(WASM) | tr a-z- A-Z_)_RUSTFLAGS="$(2) --remap-path-prefix=$${CARGO_HOME:-$$HOME/.cargo}=cargo" \
-	$(CARGO) build --quiet --profile wasm -p precess-wasm --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
-	&& { cmp -s $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm \
-	|| cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/wasm/precess_wasm.wasm web/wasm/$(1).wasm; }
+	$(CARGO) build --quiet --profile $(3) -p precess-wasm $(4) --target $(WASM) --target-dir $(CARGO_TARGET_DIR)/$(1) \
+	&& { cmp -s $(CARGO_TARGET_DIR)/$(1)/$(WASM)/$(3)/precess_wasm.wasm web/wasm/$(1).wasm \
+	|| cp $(CARGO_TARGET_DIR)/$(1)/$(WASM)/$(3)/precess_wasm.wasm web/wasm/$(1).wasm; }
 
 wasm-target: cargo
 	@test -d "$$(rustc --print target-libdir --target $(WASM))" || rustup target add $(WASM) || \
@@ -142,6 +144,11 @@ test-python-now: cargo $(VENV)/installed
 	PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
 	$(VENV)/bin/mypy --cache-dir $(VENV)/mypy
 	$(VENV)/bin/python -m pytest -p no:cacheprovider
+
+# The cone beside SciPy, and the way to a first basin map.
+bench-python: cargo $(VENV)/installed
+	@PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
+	@$(VENV)/bin/python benches/python/cone.py
 
 $(VENV)/installed: python/requirements.txt
 	$(PYTHON) -m venv --clear $(VENV)

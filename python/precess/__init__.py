@@ -5,35 +5,47 @@
 >>> swing["theta"][-1]  # doctest: +SKIP
 
 `precess.systems`, `precess.methods` and `precess.scenarios` list what there is; `precess.simulate` runs one start,
-`precess.ensemble` many. A run gives the same bits here as on the command line and in the browser.
+`precess.ensemble` many; `precess.lyapunov`, `poincare`, `sensitivity` and `fit` ask further. A run gives the same bits here as on the command line and in the browser.
 """
 
+from ._analyses import Sensitivity, lyapunov, poincare, sensitivity
 from ._catalogue import Method, Quantity, System, UnknownNameError, methods, scenarios, systems
 from ._core import InputError, RunError
 from ._core import version as _version
 from ._ensemble import Ensemble, ensemble
+from ._fit import Fit, fit
 from ._scenario import Scenario
 from ._simulate import simulate
+from ._sympy import to_sympy
+from ._table import Answer
 from ._trajectory import Column, Drift, Event, Trajectory
 
 __version__ = _version()
 
 __all__ = [
+    "Answer",
     "Column",
     "Drift",
     "Ensemble",
     "Event",
+    "Fit",
     "InputError",
     "Method",
     "Quantity",
     "RunError",
     "Scenario",
+    "Sensitivity",
     "System",
     "Trajectory",
     "UnknownNameError",
     "ensemble",
+    "fit",
+    "lyapunov",
     "methods",
+    "poincare",
     "scenarios",
+    "sensitivity",
     "simulate",
     "systems",
+    "to_sympy",
 ]

@@ -6,10 +6,16 @@ import functools
 import html
 import json
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, Generic, NamedTuple, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar
 
 from . import _core
 from ._names import nearest
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._core import Floats
+    from ._scenario import Scenario
 
 T = TypeVar("T")
 
@@ -85,6 +91,20 @@ class System(_Card):
     def equations(self) -> tuple[str, ...]:
         """Definitions and equations as text, from the very code that is integrated."""
         return tuple(f"{left} = {right}" for left, right in _core.system_equations(self.id))
+
+    def rhs(self, t: float, y: ArrayLike) -> Floats:
+        """Give the rate of a state with the card's parameters; see `Scenario.rhs`."""
+        return self._default.rhs(t, y)
+
+    def jacobian(self, t: float, y: ArrayLike) -> Floats:
+        """Give the derivatives of the rates by the state with the card's parameters; see `Scenario.jacobian`."""
+        return self._default.jacobian(t, y)
+
+    @functools.cached_property
+    def _default(self) -> Scenario:
+        from ._scenario import Scenario
+
+        return Scenario(self.id)
 
     @property
     def coordinates(self) -> tuple[Quantity, ...]:

@@ -25,6 +25,51 @@ def method_cards() -> str: ...
 def scenario_texts() -> list[tuple[str, str]]: ...
 def unknown(what: str, name: str, names: list[str]) -> str: ...
 def hash(numbers: Floats) -> str: ...  # noqa: A001
+def rate(plan: Plan, t: float, y: Floats) -> Floats: ...
+def jacobian(plan: Plan, t: float, y: Floats) -> Floats: ...
+def expressions(plan: Plan) -> tuple[list[str], list[tuple[str, list[int], float]], list[int]]: ...
+def picture(plan: Plan, numbers: Floats) -> dict[str, Any]: ...
+def lyapunov(plan: Plan, progress: Callable[[float], object] | None = None) -> Answer: ...
+def poincare(
+    plan: Plan,
+    section: str,
+    direction: str | None = None,
+    x: str | None = None,
+    y: str | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Answer: ...
+def sensitivities(
+    plan: Plan, names: list[str], times: Floats, progress: Callable[[float], object] | None = None
+) -> tuple[Floats, Floats]: ...
+def fit(
+    plan: Plan,
+    times: Floats,
+    columns: list[tuple[str, Floats]],
+    uncertainties: list[float],
+    free: list[str],
+    progress: Callable[[float], object] | None = None,
+) -> Fit: ...
+
+class Answer:
+    """What comes out of an analysis."""
+
+    numbers: Floats
+    columns: list[tuple[str, str]]
+    figure: dict[str, Any]
+    summary: list[str]
+    failure: str | None
+
+class Fit:
+    """A fit."""
+
+    fitted: list[tuple[str, str, float, float, tuple[float, float]]]
+    correlation: list[list[float]]
+    scatter: list[float]
+    chi2: float
+    freedom: int
+    model: list[Floats]
+    scenario: str
+    answer: Answer
 
 class Plan:
     """A run that is fully determined."""

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import functools
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +11,8 @@ from ._catalogue import UnknownNameError
 from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario, table
+from ._sweep import Sweep, axes, same_lengths
+from ._tiles import TILE, in_tiles
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,8 +23,10 @@ if TYPE_CHECKING:
 
     from ._catalogue import System
     from ._core import Floats
-    from ._progress import Progress, Told
+    from ._progress import Progress
     from ._scenario import Values
+    from ._sweep import Members
+    from ._tiles import Submits
 
 KEEPS = ["last", "samples"]
 
@@ -36,30 +39,21 @@ class Ensemble:
     every sample was kept. Where a member ended before its time its numbers are NaN, and `failures` says why.
     """
 
-    def __init__(
-        self,
-        scenario: Scenario,
-        over: dict[str, Floats],
-        shape: tuple[int, ...],
-        members: _Members,
-        *,
-        product: bool,
-        samples: bool,
-    ) -> None:
-        self.scenario = scenario
+    def __init__(self, sweep: Sweep, members: Members) -> None:
+        self.scenario = sweep.scenario
         """What all members have in common."""
-        self.over = over
+        self.over = sweep.axes
         """The values along each axis, or of each member."""
-        self.shape = shape
+        self.shape = sweep.shape
         """The shape of the ensemble."""
         self.t = members.times
         """The times that are kept, in s: the end alone, or every sample."""
         self.failures = members.failures
         """Why a member ended before its time, by its number in the order of the flattened ensemble."""
-        self.names = members.names
+        self.names: tuple[str, ...] = tuple(sweep.scenario.start)
         """Names of the state."""
-        self._product = product
-        self._samples = samples
+        self._product = sweep.product
+        self._samples = sweep.samples
         self._numbers = members.numbers
 
     @property
@@ -126,15 +120,6 @@ class Ensemble:
         return f"<precess.Ensemble {self.scenario.system.id}: {len(self)} members over {', '.join(self.over)}{failed}>"
 
 
-class _Members(NamedTuple):
-    """Members in the order of the flattened ensemble."""
-
-    times: Floats
-    numbers: Floats
-    failures: dict[int, str]
-    names: tuple[str, ...]
-
-
 @knows_its_keywords
 def ensemble(
     system: str | Path | System | Scenario,
@@ -152,6 +137,9 @@ def ensemble(
     atol: float | str | None = None,
     options: Values | None = None,
     threads: int | None = None,
+    client: Submits | None = None,
+    tile: int = TILE,
+    store: str | Path | None = None,
     progress: Progress = None,
 ) -> Ensemble:
     """Run a system from many starts, or with many parameters, side by side in the lanes of the processor.
@@ -168,6 +156,13 @@ def ensemble(
         `"last"` keeps the state at the end, `"samples"` at every sample.
     threads
         How many; as many as there are cores where absent. Nothing here changes a bit of the result.
+    client
+        A Dask client, or any `concurrent.futures.Executor`: the members are run there, in tiles, by one thread each
+        where `threads` is absent. The bits are those of one machine.
+    tile
+        The number of members that go to a worker at a time.
+    store
+        A folder (Zarr) that keeps the tiles; a sweep that was stopped resumes there.
     progress
         True for a progress bar (tqdm), or a function that is told now and then how many members are done.
 
@@ -195,80 +190,13 @@ def ensemble(
         atol=atol,
         options=options,
     )
-    axes = _axes(table("over", over))
-    if product:
-        shape = tuple(len(values) for values in axes.values())
-        rows = np.stack(np.meshgrid(*axes.values(), indexing="ij"), axis=-1).reshape(-1, len(axes))
-    else:
-        shape = (_common_length(axes),)
-        rows = np.column_stack(list(axes.values()))
-    with bar(progress, len(rows), "runs") as told:
-        members = _run(scenario, list(axes), rows, _How(keep == "samples", threads, told))
-    return Ensemble(scenario, axes, shape, members, product=product, samples=keep == "samples")
-
-
-def _axes(over: dict[str, Any]) -> dict[str, Floats]:
-    if not over:
-        raise _core.InputError(
-            "an ensemble needs something to go over: over={'theta': [0.1, 0.2]}, for instance"
+    found = axes(table("over", over))
+    if not product:
+        same_lengths(found)
+    sweep = Sweep(scenario, found, product, keep == "samples")
+    with bar(progress, sweep.size, "runs") as told:
+        if client is None and store is None:
+            return Ensemble(sweep, sweep.run(0, sweep.size, threads, told))
+        return Ensemble(
+            sweep, in_tiles(sweep, client=client, tile=tile, store=store, threads=threads, told=told)
         )
-    axes = {}
-    for name, values in over.items():
-        try:
-            axis = np.asarray(values, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise TypeError(f"over {name}: an array of numbers is needed") from None
-        if axis.ndim != 1:
-            raise _core.InputError(f"over {name}: an array of one dimension is needed, not of {axis.ndim}")
-        if axis.size == 0:
-            raise _core.InputError(f"over {name}: the array is empty")
-        if not np.isfinite(axis).all():
-            raise _core.InputError(f"over {name}: {axis[~np.isfinite(axis)][0]} is not a finite number")
-        axes[name] = axis
-    return axes
-
-
-def _common_length(axes: dict[str, Floats]) -> int:
-    lengths = {name: len(values) for name, values in axes.items()}
-    if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{name} has {length}" for name, length in lengths.items())
-        raise _core.InputError(f"the arrays differ in length: {told} (product=True runs every combination)")
-    return next(iter(lengths.values()))
-
-
-def _run(scenario: Scenario, over: list[str], rows: Floats, run: _How) -> _Members:
-    """Run the rows. Those with the same parameters go together, side by side in lanes."""
-    plan = scenario._plan  # noqa: SLF001
-    is_parameter = np.array([name in plan.parameters for name in over])
-    starts = [name for name in over if name not in plan.parameters]
-    sets, group = np.unique(rows[:, is_parameter], axis=0, return_inverse=True)
-    group = group.reshape(-1)
-    numbers: Floats | None = None
-    failures: dict[int, str] = {}
-    done = 0
-    for number, values in enumerate(sets):
-        mine = np.flatnonzero(group == number)
-        parameters = dict(zip(np.array(over)[is_parameter].tolist(), values.tolist(), strict=True))
-        own = plan.changed(parameters, {}, None, {}) if parameters else plan
-        told = run.told and functools.partial(_told_more, run.told, done)
-        part = own.ensemble(starts, rows[np.ix_(mine, ~is_parameter)], run.samples, run.threads, told)
-        if numbers is None:
-            numbers = np.empty((len(rows), *part.numbers.shape[1:]))
-        numbers[mine] = part.numbers
-        failures |= {int(mine[member]): why for member, why in part.failures}
-        done += len(mine)
-    assert numbers is not None, "an axis has at least one value"  # noqa: S101
-    names = tuple(name for name, *_ in plan.columns[1 : numbers.shape[2] + 1])
-    return _Members(part.times, numbers, dict(sorted(failures.items())), names)
-
-
-class _How(NamedTuple):
-    """How rows are run; nothing here changes a bit of them."""
-
-    samples: bool
-    threads: int | None
-    told: Told | None
-
-
-def _told_more(told: Told, before: int, done: float) -> None:
-    told(before + done)

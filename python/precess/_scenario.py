@@ -4,18 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict
+
+import numpy as np
 
 from . import _core
 from ._catalogue import System, scenarios, systems
 from ._names import knows_its_keywords, nearest
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from ._core import Floats
     from ._progress import Progress
     from ._trajectory import Trajectory
 
     Values = Mapping[str, Any]
     Events = Iterable[str | Mapping[str, Any]]
+
+
+class Settings(TypedDict, total=False):
+    """What may be set of a run; see `Scenario`."""
+
+    parameters: Values | None
+    start: Values | None
+    method: str | None
+    until: float | str | None
+    every: float | str | None
+    dt: float | str | None
+    rtol: float | str | None
+    atol: float | str | None
+    options: Values | None
 
 
 class Scenario:
@@ -177,6 +196,18 @@ class Scenario:
     def save(self, path: str | Path) -> None:
         """Write the scenario file."""
         Path(path).write_text(self.toml, encoding="utf-8")
+
+    def rhs(self, t: float, y: ArrayLike) -> Floats:
+        """Give the rate of a state, as SciPy's `solve_ivp` asks for it: shapes `(numbers,)` and `(numbers,)`.
+
+        `solve_ivp(scenario.rhs, (0, 10), list(scenario.start.values()), jac=scenario.jacobian)` is the same motion.
+        A system with events is refused: its rates alone do not tell its motion.
+        """
+        return _core.rate(self._plan, t, np.ascontiguousarray(y, dtype=np.float64))
+
+    def jacobian(self, t: float, y: ArrayLike) -> Floats:
+        """Give the derivatives of the rates (rows) by the state (columns), exact to rounding (dual numbers)."""
+        return _core.jacobian(self._plan, t, np.ascontiguousarray(y, dtype=np.float64))
 
     def simulate(self, *, progress: Progress = None) -> Trajectory:
         """Run it; see `precess.simulate`."""

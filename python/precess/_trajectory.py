@@ -5,8 +5,6 @@ from __future__ import annotations
 import html
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from . import _core
 from ._catalogue import UnknownNameError
 from ._names import extra, nearest
@@ -223,10 +221,3 @@ def _drift(drift: Drift) -> str:
     if drift.relative is not None:
         return f"{drift.relative:.1e} (relative)"
     return f"{drift.largest:.1e} {drift.unit}".strip()
-
-
-def departures(values: Floats) -> Floats:
-    """Give the distances from the first value, relative to it; absolute where it is zero."""
-    scale = abs(values[0]) or 1.0
-    departures: Floats = np.abs(values - values[0]) / scale
-    return departures

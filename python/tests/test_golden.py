@@ -43,3 +43,9 @@ def test_a_member_of_an_ensemble_has_the_golden_hash(system: str, name: str) -> 
         members = precess.ensemble(scenario, {name: neighbours}, keep="samples", threads=2)
         assert members.hash(9) == wanted
         assert members.hash(8) != wanted
+
+
+def test_a_saved_scenario_has_the_same_bits() -> None:
+    for system in precess.systems:
+        scenario = precess.Scenario(system, until=precess.systems[system].defaults["dt"] * 100)
+        assert precess.Scenario.parse(scenario.toml).simulate().hash() == scenario.simulate().hash(), system

@@ -34,6 +34,7 @@ const quantity = { name: "string", symbol: "string", unit: "string", text } as c
 
 const SYSTEM: Shape = {
   id: "string",
+  family: "string",
   title: text,
   about: text,
   source: "string",
@@ -82,7 +83,7 @@ const METHOD: Shape = {
 const CATALOGUE: Shape = {
   systems: [SYSTEM],
   methods: [METHOD],
-  scenarios: [{ file: "string", title: "string", text: "string" }],
+  scenarios: [{ file: "string", title: "string", title_fr: "string", note: text, text: "string" }],
 };
 
 describe.each(BUILDS)("%s", (build) => {

@@ -1,7 +1,8 @@
 // What the facade makes of a run: columns, events, drifts, progress, errors of use.
 
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, test } from "vitest";
 import { Core } from "../src/core";
+import first from "../src/first.toml?raw";
 import { BUILDS, load, scenario } from "./builds";
 
 const PENDULUM = scenario("pendulum", { method: '"dop853"', until: 10, every: 0.5 });
@@ -95,4 +96,13 @@ describe.each(BUILDS)("%s", (build) => {
 it("refuses a module that is no core", async () => {
   const empty = new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]);
   await expect(Core.load(empty)).rejects.toThrow("no Precess core");
+});
+
+test("the small core runs the first page, bit by bit as the whole one does", async () => {
+  const [small, whole] = await Promise.all([load("precess-first"), load("precess")]);
+  const run = small.run(first);
+  expect(run.report.rows).toBeGreaterThan(1000);
+  expect(run.hash()).toBe(whole.run(first).hash());
+  expect(() => small.run(scenario("pendulum", {}))).toThrow("no system 'pendulum'");
+  expect(() => small.ensemble(first, { names: ["theta"], values: [1] })).toThrow("no ensembles");
 });

@@ -22,6 +22,7 @@ async function open(look) {
   });
   await page.goto(address);
   await page.locator("[data-run]:not([data-run=''])").waitFor();
+  await page.locator("[data-system=pendulum]").waitFor({ state: "attached" });
   return page;
 }
 

@@ -1,5 +1,6 @@
 //! What every question is asked of: a system with its parameters, and how it is integrated from any state.
 
+use crate::matrix::Matrix;
 use crate::tangents::Tangents;
 use precess_integrate::{
     AnyMethod, Drive, Failure, Options, Pace, Report, Samples, Tolerance, Watched, drive,
@@ -48,6 +49,9 @@ impl Field<f64> for Shifted<'_> {
     }
     fn lagrangian(&self, t: f64, y: &[f64]) -> Option<f64> {
         self.field.lagrangian(t + self.from, y)
+    }
+    fn solution(&self, from: f64, start: &[f64], t: f64, y: &mut [f64]) {
+        self.field.solution(from + self.from, start, t + self.from, y);
     }
     fn crossings(&self, t: f64, y: &[f64], out: &mut [f64]) {
         self.field.crossings(t + self.from, y, out);
@@ -109,7 +113,25 @@ impl Flow<'_> {
         vectors: &mut [Vec<f64>],
         span: f64,
     ) -> Result<(), Failure> {
-        let field = Tangents::new(self.tangents, vectors.len(), from);
+        self.carry_along(&vec![self.tangents; vectors.len()], from, state, vectors, span)
+    }
+
+    /// The same, with the system along each vector: a parameter may move with the state.
+    ///
+    /// # Errors
+    /// Where the integration cannot go on.
+    pub fn carry_along(
+        &self,
+        fields: &[&dyn Field<Dual<f64>>],
+        from: f64,
+        state: &mut [f64],
+        vectors: &mut [Vec<f64>],
+        span: f64,
+    ) -> Result<(), Failure> {
+        if vectors.is_empty() {
+            return self.advance(from, state, span);
+        }
+        let field = Tangents::new(fields, from);
         let start = field.join(state, vectors);
         let pace = match &self.pace {
             Pace::Adaptive(tolerance) => Pace::Adaptive(wide(tolerance, &field, vectors.len())),
@@ -130,6 +152,18 @@ impl Flow<'_> {
         let report = drive(&job, &mut keep, &mut |t| (self.progress.borrow_mut())(from + t));
         field.part(&end, state, vectors);
         report.failure.map_or(Ok(()), |failure| Err(later(failure, from)))
+    }
+
+    /// The derivative of the flow from `from` for a time `span` by the state it starts from, which moves along.
+    ///
+    /// # Errors
+    /// Where the integration cannot go on.
+    pub fn derivative(&self, from: f64, state: &mut [f64], span: f64) -> Result<Matrix, Failure> {
+        let size = self.size();
+        let unit = |k: usize| (0..size).map(|i| if i == k { 1.0 } else { 0.0 }).collect();
+        let mut vectors: Vec<Vec<f64>> = (0..size).map(unit).collect();
+        self.carry(from, state, &mut vectors, span)?;
+        Ok(Matrix::of_columns(&vectors))
     }
 }
 
@@ -154,6 +188,7 @@ pub(crate) fn later(failure: Failure, from: f64) -> Failure {
         Failure::TooSlow { t, h } => Failure::TooSlow { t: at(t), h },
         Failure::NoConvergence { t, h, iterations } => Failure::NoConvergence { t: at(t), h, iterations },
         Failure::TooManyEvents { t } => Failure::TooManyEvents { t: at(t) },
+        Failure::Trouble { t, what } => Failure::Trouble { t: at(t), what },
         Failure::Interrupted { t } => Failure::Interrupted { t: at(t) },
         refused @ Failure::Refused { .. } => refused,
     }

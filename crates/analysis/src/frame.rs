@@ -1,7 +1,7 @@
 //! Frames of tangent vectors, made orthonormal in a fixed order of operations.
 
 /// The product of two vectors, summed in the order of the components.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |sum, (x, y)| sum + x * y)
 }
 

@@ -1,9 +1,12 @@
 //! The analyses on systems whose answers are known: linear ones, the Lorenz equations, a Hamiltonian.
 
-use precess_analysis::{Exponent, Flow, Section, lyapunov, section, strobe};
+use precess_analysis::{
+    Exponent, Flow, Kind, Section, Window, fixed_points, lyapunov, multipliers, response, section,
+    separatrices, strobe,
+};
 use precess_integrate::{METHODS, Options, Pace, Tolerance};
 use precess_scalar::{Dual, Scalar};
-use precess_system::{Bind, Card, Direction, Layout, State, System, Values, card, coordinate};
+use precess_system::{Bind, Card, Direction, Layout, State, System, Values, card, coordinate, number};
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
@@ -65,7 +68,16 @@ impl System for HenonHeiles {
 
 /// Asks something of a system's flow under a method, within 1e-10.
 fn ask<M: System, T>(system: &M, method: &str, question: impl Fn(&Flow, &[f64]) -> T) -> T {
-    let values = Values::defaults(&system.card());
+    ask_with(system, &Values::defaults(&system.card()), method, question)
+}
+
+/// The same with other parameters.
+fn ask_with<M: System, T>(
+    system: &M,
+    values: &Values<f64>,
+    method: &str,
+    question: impl Fn(&Flow, &[f64]) -> T,
+) -> T {
     let layout = Layout::of(&system.card());
     let field = Bind::<f64>::bind(system, values.clone(), &layout);
     let tangents = Bind::<Dual<f64>>::bind(system, values.map(|&x| Dual::from(x)), &layout);
@@ -165,4 +177,83 @@ fn a_growing_angle_is_met_at_every_turn_of_its_own() {
     let wanted: Vec<f64> = (1..=6).map(|k| 2.0 * Scalar::ln(2.0 * f64::from(k))).collect();
     assert_eq!(times.len(), wanted.len(), "{times:?}");
     assert!(times.iter().zip(&wanted).all(|(a, b)| (a - b).abs() < 1e-8), "{times:?} {wanted:?}");
+}
+
+/// x'' = -(a - 2 q cos 2t) x: Mathieu's equation.
+#[derive(Clone)]
+struct Mathieu;
+impl System for Mathieu {
+    fn card(&self) -> Card {
+        card("mathieu", "m", "m")
+            .coordinate(coordinate("x", "", "x", "x").start(1.0))
+            .parameter(number("a", "", 1.0, "a", "a"))
+    }
+    fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
+        let ([x], [a]) = (s.q(), s.p());
+        highest[0] = -(a - (s.t * 2.0).cos() * 2.0) * x;
+    }
+}
+
+#[test]
+fn mathieus_tongues_begin_at_his_characteristic_values() {
+    // Abramowitz and Stegun, table 20.1, q = 1: the trace over half a turn is -2 at a1 and 2 at b2 and a2.
+    for (a, trace) in [(1.859_108_072_5, -2.0), (3.917_024_773_0, 2.0), (4.371_300_982_7, 2.0)] {
+        let mut values = Values::defaults(&Mathieu.card());
+        values.numbers[0] = a;
+        let found = ask_with(&Mathieu, &values, "dop853", |flow, start| {
+            multipliers(flow, start, std::f64::consts::PI, true).expect("no obstacle").map.trace()
+        });
+        assert!((found - trace).abs() < 1e-8, "{a}: {found}");
+    }
+}
+
+/// x'' = x - x^3 - x' / 10: two wells and the saddle between them.
+#[derive(Clone)]
+struct TwoWells;
+impl System for TwoWells {
+    fn card(&self) -> Card {
+        card("wells", "w", "w").coordinate(coordinate("x", "", "x", "x").start(0.5))
+    }
+    fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
+        let ([x], [v]) = (s.q(), s.v());
+        highest[0] = x - x * x * x - v * 0.1;
+    }
+}
+
+#[test]
+fn fixed_points_are_found_classified_and_joined() {
+    let window = Window { ranges: vec![(-2.0, 2.0), (-2.0, 2.0)] };
+    let (points, branches) = ask(&TwoWells, "dop853", |flow, _| {
+        let points = fixed_points(flow, &[], &window);
+        let branches = separatrices(flow, &points, &window, 200.0);
+        (points, branches)
+    });
+    let kinds: Vec<_> = points.iter().map(|p| (p.state[0], p.kind, p.stable)).collect();
+    assert_eq!(kinds, [(-1.0, Kind::Focus, true), (0.0, Kind::Saddle, false), (1.0, Kind::Focus, true)]);
+    // At the wells: lambda^2 + lambda / 10 + 2 = 0.
+    let focus = points[0].eigenvalues[0];
+    assert!(
+        (focus.re + 0.05).abs() < 1e-12 && (focus.im * focus.im - (2.0 - 0.0025)).abs() < 1e-12,
+        "{focus:?}"
+    );
+    // Both branches that leave the saddle end in a well; one in each.
+    let mut ends: Vec<f64> =
+        branches.iter().filter(|b| b.leaves).map(|b| b.line.last().expect("points").0).collect();
+    ends.sort_by(f64::total_cmp);
+    assert_eq!(branches.len(), 4);
+    assert!((ends[0] + 1.0).abs() < 0.01 && (ends[1] - 1.0).abs() < 0.01, "{ends:?}");
+}
+
+#[test]
+fn a_damped_oscillator_answers_as_the_formula_says() {
+    // x'' = -x - x' / 5 + cos t: at resonance the amplitude is 5 and the lag a quarter of a turn.
+    let found = ask(&Damped, "dop853", |flow, start| {
+        let period = std::f64::consts::TAU;
+        response(flow, &mut start.to_vec(), period, 10.0, 0).expect("no obstacle")
+    });
+    assert!((found.amplitude - 5.0).abs() < 1e-8, "{found:?}");
+    assert!(
+        (found.lag - std::f64::consts::FRAC_PI_2).abs() < 1e-8 && (found.swing - 5.0).abs() < 1e-2,
+        "{found:?}"
+    );
 }

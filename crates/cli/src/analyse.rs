@@ -1,13 +1,16 @@
-//! The analyses: `precess lyapunov`, `precess poincare`.
+//! The analyses: one function a command, which asks and puts the answer where it is wanted.
 
-use crate::args::{Analysis, Poincare};
+use crate::args::{Analysis, Fit, Floquet, Frenet, Poincare, Portrait, Response, Sensitivity};
 use crate::failure::Failure;
+use crate::measured;
 use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
 use crate::run::{finish_plot, open_plot, unknown_suffix};
 use crate::subject::{assignment, scenario};
 use crate::table;
-use precess::analyses::{self, Answer, PoincareSpec};
+use precess::analyses::{
+    self, Answer, BifurcationSpec, FloquetSpec, FrenetSpec, PoincareSpec, PortraitSpec, ResponseSpec,
+};
 use precess::{Error, Scenario};
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
@@ -27,6 +30,58 @@ pub fn poincare(arguments: &Poincare) -> Result<(), Failure> {
         y: arguments.y.clone(),
     };
     analyse(&arguments.analysis, &mut |scenario, progress| analyses::poincare(scenario, &spec, progress))
+}
+
+/// A phase portrait.
+pub fn portrait(arguments: &Portrait) -> Result<(), Failure> {
+    let spec = PortraitSpec { windows: arguments.windows.clone(), levels: arguments.levels };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::portrait(scenario, &spec, progress))
+}
+
+/// Amplitude and lag against a parameter.
+pub fn response(arguments: &Response) -> Result<(), Failure> {
+    let Response { sweep, coordinate, down, .. } = arguments;
+    let spec = ResponseSpec { sweep: sweep.clone(), coordinate: coordinate.clone(), down: *down };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::response(scenario, &spec, progress))
+}
+
+/// The attractor against a parameter.
+pub fn bifurcation(arguments: &Response) -> Result<(), Failure> {
+    let Response { sweep, coordinate, down, .. } = arguments;
+    let spec = BifurcationSpec { sweep: sweep.clone(), coordinate: coordinate.clone(), down: *down };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::bifurcation(scenario, &spec, progress))
+}
+
+/// Floquet multipliers.
+pub fn floquet(arguments: &Floquet) -> Result<(), Failure> {
+    let spec = FloquetSpec { sweeps: arguments.sweeps.clone() };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::floquet(scenario, &spec, progress))
+}
+
+/// Moving frames along a path.
+pub fn frenet(arguments: &Frenet) -> Result<(), Failure> {
+    let spec = FrenetSpec { x: arguments.x.clone(), y: arguments.y.clone() };
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::frenet(scenario, &spec, progress))
+}
+
+/// Derivatives of a run.
+pub fn sensitivity(arguments: &Sensitivity) -> Result<(), Failure> {
+    analyse(&arguments.analysis, &mut |scenario, progress| {
+        analyses::sensitivity(scenario, &arguments.along, progress)
+    })
+}
+
+/// A fit to measured points.
+pub fn fit(arguments: &Fit) -> Result<(), Failure> {
+    let data = measured::read(&arguments.data, &arguments.columns, &arguments.uncertainties)?;
+    let save = arguments.save.as_deref().map(Output::create).transpose()?;
+    let mut fitted = String::new();
+    analyse(&arguments.analysis, &mut |scenario, progress| {
+        let fit = analyses::fit(scenario, &data, &arguments.free, progress)?;
+        fitted = precess::scenario_toml(&fit.plan);
+        Ok(fit.answer(&data))
+    })?;
+    save.map_or(Ok(()), |output| output.finish(|file| file.write_all(fitted.as_bytes())))
 }
 
 type Ask<'a> = &'a mut dyn FnMut(&Scenario, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<Answer, Error>;

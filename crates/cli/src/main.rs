@@ -4,11 +4,14 @@ mod analyse;
 mod args;
 mod basins;
 mod bench;
+mod body;
 mod compare;
 mod draw;
 mod failure;
+mod gallery;
 mod lab;
 mod list;
+mod measured;
 mod output;
 mod progress;
 mod run;
@@ -27,11 +30,20 @@ fn main() -> ExitCode {
     let outcome = match command.verb {
         Verb::List { what, json } => list::list(what, json),
         Verb::Show { system, json, latex } => show::show(&system, json, latex),
+        Verb::Body(arguments) => body::body(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
         Verb::Basins(arguments) => basins::basins(&arguments),
+        Verb::Portrait(arguments) => analyse::portrait(&arguments),
+        Verb::Response(arguments) => analyse::response(&arguments),
+        Verb::Bifurcation(arguments) => analyse::bifurcation(&arguments),
+        Verb::Floquet(arguments) => analyse::floquet(&arguments),
+        Verb::Frenet(arguments) => analyse::frenet(&arguments),
+        Verb::Gallery(arguments) => gallery::gallery(&arguments),
+        Verb::Sensitivity(arguments) => analyse::sensitivity(&arguments),
+        Verb::Fit(arguments) => analyse::fit(&arguments),
         Verb::Bench(arguments) => bench::bench(&arguments),
         Verb::Lab { port } => lab::lab(port),
     };

@@ -451,7 +451,19 @@ fn a_spectrum_is_a_table_of_exponents_and_errors() {
 
 #[test]
 fn a_wrong_question_is_answered_with_a_sentence() {
-    let cases: [(&[&str], &str); 6] = [
+    let cases: [(&[&str], &str); 18] = [
+        (&["portrait", "driven_oscillator"], "without a clock"),
+        (&["portrait", "pendulum", "--window", "thet=-1:1"], "theta"),
+        (&["portrait", "pendulum", "--window", "theta=1:-1"], "not below"),
+        (&["response", "pendulum", "--sweep", "l=1:2:3"], "periodic drive"),
+        (&["response", "duffing", "--sweep", "omga=1:2:3"], "omega"),
+        (&["response", "duffing", "--sweep", "omega=1:2"], "NAME=LOW:HIGH:N"),
+        (&["bifurcation", "duffing", "--sweep", "gamma=0:1:1"], "between 2 and"),
+        (&["floquet", "pendulum"], "periodic drive"),
+        (&["frenet", "pendulum", "--x", "theta", "--y", "theta_dot"], "one plane"),
+        (&["frenet", "lorenz", "--x", "x"], "both x and y"),
+        (&["lyapunov", "pendulum", "--method", "taylor"], "dop853"),
+        (&["gallery", "no-such-figure", "-o", "never-made"], "scenario"),
         (&["lyapunov", "noria"], "events"),
         (&["lyapunov", "pendulum", "--until", "-1"], "above zero"),
         (&["poincare", "pendulum", "--section", "thta = 0"], "theta"),
@@ -463,6 +475,105 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         let wrong = precess(arguments);
         assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
         assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+    }
+}
+
+#[test]
+fn a_portrait_finds_and_names_the_fixed_points() {
+    let folder = Folder::new("portrait");
+    let svg = folder.file("a.svg");
+    let found = precess(&["portrait", "pendulum", "-p", "g=4", "-o", "-", "--plot", &svg]);
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(csv.starts_with("theta,theta_dot,re1,im1,re2,im2,kind,stable\n"), "{csv}");
+    let rows = rows(&csv);
+    // Two turns: the bottom three times, the top twice; the frequency there is 2.
+    let pi = std::f64::consts::PI;
+    let places = [(-2.0, 0.0), (-1.0, 1.0), (0.0, 0.0), (1.0, 1.0), (2.0, 0.0)];
+    assert_eq!(rows.len(), places.len());
+    for (row, (turns, kind)) in rows.iter().zip(places) {
+        assert!((row[0] - turns * pi).abs() < 1e-12 && row[1] == 0.0 && row[6] == kind, "{row:?}");
+        let (re, im) = if kind == 1.0 { (2.0, 0.0) } else { (0.0, 2.0) };
+        assert!((row[2] - re).abs() < 1e-12 && (row[3] - im).abs() < 1e-12, "{row:?}");
+    }
+    assert!(err(&found).contains("saddle at theta = 3.141593"), "{}", err(&found));
+    assert!(std::fs::read_to_string(&svg).expect("a picture").contains("phase portrait"));
+}
+
+/// The platform's functions are a second opinion here.
+#[allow(clippy::disallowed_methods)]
+#[test]
+fn a_linear_response_is_the_exact_one() {
+    let arguments =
+        ["response", "driven_oscillator", "-p", "p=0.3", "--sweep", "frequency=0.5:2:7", "-o", "-"];
+    let found = precess(&[&arguments[..], &["--rtol", "1e-12", "--atol", "1e-12"]].concat());
+    assert!(found.status.success(), "{}", err(&found));
+    let rows = rows(&out(&found));
+    assert_eq!(rows.len(), 7);
+    for row in rows {
+        let f = row[0];
+        let (real, imaginary) = (1.0 - f * f, 0.3 * f);
+        let amplitude = 1.0 / real.hypot(imaginary);
+        let lag = imaginary.atan2(real);
+        assert!((row[2] - amplitude).abs() < 1e-8 && (row[3] - lag).abs() < 1e-8, "{row:?}");
+        assert!((row[5] - amplitude).abs() < 1e-12 && (row[6] - lag).abs() < 1e-12, "{row:?}");
+    }
+}
+
+#[test]
+fn a_bifurcation_diagram_and_multipliers_are_tables() {
+    // Below the first period doubling there is one point for each value.
+    let arguments = ["bifurcation", "driven_pendulum", "--sweep", "f=0.9:1:3", "--until", "600", "-o", "-"];
+    let found = precess(&arguments);
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(csv.starts_with("f,theta\n") && csv.lines().count() > 60, "{csv}");
+    // A quarter of the frequency's square below the tongue at alpha = 2: unstable there, stable beside it.
+    let of = |alpha: &str| {
+        let found = precess(&["floquet", "parametric_oscillator", "-p", "h=0.2", "-p", alpha, "-o", "-"]);
+        assert!(found.status.success(), "{}", err(&found));
+        rows(&out(&found))
+    };
+    let (inside, outside) = (of("alpha=2"), of("alpha=2.2"));
+    assert!(inside[0][3] > 1.1 && (inside[0][3] * inside[1][3] - 1.0).abs() < 1e-8, "{inside:?}");
+    assert!(outside.iter().all(|row| (row[3] - 1.0).abs() < 1e-8), "{outside:?}");
+}
+
+#[test]
+fn a_gallery_has_pictures_notes_and_both_languages() {
+    let folder = Folder::new("gallery");
+    let place = folder.file("pages");
+    let made = precess(&["gallery", "p-fig-6", "p-ex-11", "-o", &place]);
+    assert!(made.status.success(), "{}", err(&made));
+    let read = |name: &str| std::fs::read_to_string(Path::new(&place).join(name)).expect("a file");
+    let (english, french) = (read("index.html"), read("index.fr.html"));
+    assert!(english.contains("src=\"p-fig-6.svg\"") && english.contains("exercise 11"), "{english}");
+    assert!(english.find("p-fig-6") < english.find("p-ex-11"));
+    assert!(french.contains("une bille dans une parabole") && french.contains("lang=\"fr\""), "{french}");
+    assert!(read("p-fig-6.svg").contains("<svg") && read("p-ex-11.toml").contains("precess = 1"));
+}
+
+#[test]
+fn the_frames_along_a_path_have_the_accelerations_of_the_forces() {
+    // An ellipse of half axes 1 and 1/2 begins at its sharp end: curvature a / b^2, acceleration c towards the centre.
+    let found = precess(&["frenet", "planar_oscillator", "-p", "c=4", "--until", "2", "-o", "-"]);
+    assert!(found.status.success(), "{}", err(&found));
+    let csv = out(&found);
+    assert!(
+        csv.starts_with("t,x,y,speed,tangential,normal,curvature,centre_x,centre_y,radial,transverse\n"),
+        "{csv}"
+    );
+    let first = &rows(&csv)[0];
+    let wanted = [0.0, 1.0, 0.0, 1.0, 0.0, 4.0, 4.0, 0.75, 0.0, -4.0, 0.0];
+    assert!(first.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-12), "{first:?}");
+    // P 9.2: on a spring the radial acceleration is g cos theta - (k / m)(l - l0); px and py are observables.
+    let found = precess(&["frenet", "elastic_pendulum", "--until", "30", "-o", "-"]);
+    assert!(found.status.success(), "{}", err(&found));
+    for row in rows(&out(&found)) {
+        let length = (row[1] * row[1] + row[2] * row[2]).sqrt();
+        let (radial, transverse) =
+            (-0.098 * row[2] / length - 0.5 * (length - 1.0), -0.098 * row[1] / length);
+        assert!((row[9] - radial).abs() < 1e-12 && (row[10] - transverse).abs() < 1e-12, "{row:?}");
     }
 }
 
@@ -507,5 +618,29 @@ fn basins_that_make_no_sense_are_refused_in_a_sentence() {
         let wrong = precess(arguments);
         assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
         assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+    }
+}
+
+#[test]
+fn bodies_are_worked_out() {
+    let cone = precess(&["body", "cone", "density=100", "height=15 cm", "radius=5 cm"]);
+    assert!(out(&cone).contains("mass     0.0392699081698724") && cone.status.success(), "{}", out(&cone));
+    assert!(out(&cone).contains("precess run gyroscope -p m=0.03926990816987"), "{}", out(&cone));
+    let sum = ["body", "sphere", "mass=1", "radius=0.1", "+", "sphere", "mass=1", "radius=0.1", "x=1"];
+    let sum = precess(&[&sum[..], &["--about", "[0; 0; 0]", "--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(&out(&sum)).expect("JSON");
+    assert_eq!((json["mass"].as_f64(), json["centre"][0].as_f64()), (Some(2.0), Some(0.5)));
+    assert!((json["inertia"][1][1].as_f64().expect("a number") - 0.508).abs() < 1e-15);
+    for (words, why) in [
+        (&["cube"][..], "did you mean 'cone'"),
+        (&["cone", "heigth=1"], "did you mean 'height'"),
+        (&["cone", "height=1", "radius=1", "mass=0"], "above zero"),
+        (&["sphere", "radius=1 kg", "mass=1"], "a value in m"),
+        (&["sphere", "radius=1", "mass=1", "--about", "[0; 1]"], "three coordinates"),
+        (&["+"], "a shape is missing"),
+    ] {
+        let wrong = precess(&[&["body"], words].concat());
+        assert_eq!(wrong.status.code(), Some(2), "{words:?}");
+        assert!(err(&wrong).contains(why) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
     }
 }

@@ -47,6 +47,8 @@ pub struct Report {
     pub events: Vec<Occurred>,
     /// The time reached.
     pub end: f64,
+    /// The full state there.
+    pub state: Vec<f64>,
     /// The watch that ended the run.
     pub stopped_by: Option<usize>,
     /// Why the run ended before its time.
@@ -82,6 +84,11 @@ fn nonsense(run: &Drive) -> Option<&'static str> {
         }
         () if run.directions.len() != run.field.shape().events => {
             Some("each event of the system needs a direction")
+        }
+        () if run.method.card().needs == Needs::ClosedForm
+            && !(run.directions.is_empty() && run.watches.is_empty()) =>
+        {
+            Some("a closed form is computed from sample to sample and meets no event on the way")
         }
         () if !run.samples.is_sensible() => {
             Some("the end of a run and the time between samples must be finite numbers")

@@ -83,6 +83,7 @@ impl<'a> Engine<'a> {
         let mut report = self.report;
         report.evaluations = self.stepper.evaluations() + self.evaluations;
         report.end = self.t;
+        report.state = self.y;
         match outcome {
             ControlFlow::Break(End::Stop(watch)) => report.stopped_by = Some(watch),
             ControlFlow::Break(End::Failure(failure)) => report.failure = Some(failure),

@@ -43,6 +43,13 @@ pub enum Failure {
         /// Time reached.
         t: f64,
     },
+    /// The system knows what happened there.
+    Trouble {
+        /// Time reached.
+        t: f64,
+        /// What happened.
+        what: String,
+    },
     /// Whoever watched asked the run to end.
     Interrupted {
         /// Time reached.
@@ -60,6 +67,7 @@ impl Failure {
             | Self::TooSlow { t, .. }
             | Self::NoConvergence { t, .. }
             | Self::TooManyEvents { t }
+            | Self::Trouble { t, .. }
             | Self::Interrupted { t } => t,
         }
     }
@@ -95,6 +103,7 @@ impl fmt::Display for Failure {
                 "at t = {t:?} s events follow one another without time passing: the motion comes to rest at the \
                  event, or the jump does not lead away from it (stop the run there, or check the parameters)"
             ),
+            Self::Trouble { t, what } => write!(f, "the run ends at t = {t:?} s, where {what}"),
             Self::Interrupted { t } => write!(f, "interrupted at t = {t:?} s"),
         }
     }

@@ -34,6 +34,6 @@ pub use method::{
     AnyMethod, Kind, LawNumbers, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step,
     Stepper, Steps,
 };
-pub use methods::METHODS;
+pub use methods::{FIRST, METHODS};
 pub use roster::{Roster, Stepped};
 pub use samples::Samples;

@@ -25,6 +25,8 @@ pub enum Needs {
     Any,
     /// Accelerations that depend on positions (and time) alone.
     Separable,
+    /// A closed form of the motion.
+    ClosedForm,
     /// Its equations written down ([`Options::equations`]), without absolute values and choices between cases.
     Expression,
     /// Momenta and forces of its Lagrangian ([`Options::equations`]), and nothing beside them.
@@ -55,7 +57,7 @@ pub struct MethodCard {
     pub title: (&'static str, &'static str),
     /// What it is good for, in English and French.
     pub about: (&'static str, &'static str),
-    /// Order of convergence.
+    /// Order of convergence; 0 for the closed form, whose error does not come from the step.
     pub order: u32,
     /// Fixed or adaptive steps.
     pub kind: Kind,

@@ -6,7 +6,7 @@ use precess_integrate::{AnyMethod, Block, Kind, Pace, Samples, Tolerance};
 use precess_integrate::{Needs, Options, Steps};
 use precess_scalar::{Isa, Lanes, with_lanes};
 use precess_system::Field;
-use toys::{Known, method, methods, mixed, pendulum, stepper, take};
+use toys::{Known, harmonic, method, methods, mixed, pendulum, stepper, take};
 
 /// Steps of different lengths in different lanes, with their estimates of the error.
 fn check_steps<S: Lanes>(id: &str, field: &(impl Known + Field<S>), size: usize)
@@ -50,6 +50,8 @@ fn check_every_method<S: Lanes>()
 where
     dyn AnyMethod: Steps<S>,
 {
+    check_steps::<S>("exact", &harmonic(1.3), 2);
+    check_block::<S>("exact", &harmonic(1.3), 2);
     for m in methods() {
         if m.needs != Needs::Separable {
             check_steps::<S>(m.id, &mixed(), 3);

@@ -537,3 +537,48 @@ fn a_watch_that_stops_ends_the_run_with_a_sample_there() {
     assert_eq!(*t, report.end);
     assert!((t - 1.5 * PI).abs() < 1e-10);
 }
+
+/// Every state is computed from the start: the steps neither cost digits nor matter.
+#[test]
+fn the_closed_form_adds_up_no_errors() {
+    let field = harmonic(1.0);
+    let end = |dt, until: f64| {
+        let run = Run {
+            field: &field,
+            method: "exact",
+            start: &[1.0, 0.0],
+            until,
+            every: until.abs(),
+            pace: Pace::Fixed(dt),
+            directions: &[],
+            watches: &[],
+        };
+        let (report, rows) = run.go();
+        assert_eq!(report.failure, None);
+        rows.last().expect("rows").1.clone()
+    };
+    for until in [1000.0, -1000.0] {
+        let (sin, cos) = until.sin_cos();
+        assert_eq!(end(0.125, until), [cos, -sin]);
+        assert_eq!(end(1000.0, until), [cos, -sin]);
+    }
+}
+
+#[test]
+fn the_closed_form_refuses_events() {
+    let field = harmonic(1.0);
+    let watches = [watch(|_, y| y[0], Direction::Either, false)];
+    let (report, rows) = Run {
+        field: &field,
+        method: "exact",
+        start: &[1.0, 0.0],
+        until: 10.0,
+        every: 1.0,
+        pace: Pace::Fixed(1.0),
+        directions: &[],
+        watches: &watches,
+    }
+    .go();
+    assert!(matches!(report.failure, Some(Failure::Refused { what }) if what.contains("no event")));
+    assert_eq!(rows.len(), 0);
+}

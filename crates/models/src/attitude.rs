@@ -31,7 +31,8 @@ pub(crate) fn coordinates(card: Card, attitude: Quaternion<f64>, omega: Vector<f
     ];
     let card = (0..4).fold(card, |card, i| {
         let (en, fr) = texts[i];
-        card.coordinate(coordinate(QUATERNION[i], "", en, fr).first_order().start(attitude[i]))
+        let part = coordinate(QUATERNION[i], "", en, fr).first_order().start(attitude[i]);
+        card.coordinate(if i == 0 { part.begins_attitude() } else { part })
     });
     let card = (0..3).fold(card, |card, i| {
         let en = format!("angular velocity along axis {}", i + 1);

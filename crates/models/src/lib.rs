@@ -1,15 +1,22 @@
 //! The mechanical systems of Precess, one file each, and the list of them.
 
 mod attitude;
+pub mod bodies;
+mod complex;
 mod gravity;
 mod inertia;
+mod linear;
 mod oscillators;
 mod pendulums;
 mod rotation;
+mod table;
 mod tops;
 mod waterwheels;
 
 use precess_system::AnySystem;
+
+/// What the lab shows first: a core with nothing else loads fast.
+pub static FIRST: &[&dyn AnySystem] = &[&tops::gyroscope::Gyroscope];
 
 /// Every system, in the order in which a catalogue shows them.
 ///
@@ -43,10 +50,22 @@ pub static ALL: &[&dyn AnySystem] = &[
     &waterwheels::malkus_waterwheel::MalkusWaterwheel,
     &waterwheels::lorenz::Lorenz,
     &gravity::n_body::NBody,
+    &gravity::cluster::Cluster,
     &tops::gyroscope::Gyroscope,
     &tops::gyroscope_rolling::GyroscopeRolling,
+    &tops::gyroscope_integrals::GyroscopeIntegrals,
     &tops::symmetric_body::SymmetricBody,
     &tops::heavy_top::HeavyTop,
     &tops::tippe_top_rolling::TippeTopRolling,
+    &tops::rolling_top::RollingTop,
     &tops::free_body::FreeBody,
+    &table::rolling_body::ROLLING_BODY,
+    &table::rattleback::RATTLEBACK,
+    &table::euler_disk::EULER_DISK,
+    &table::sliding_body::SLIDING_BODY,
+    &table::tippe_top::TIPPE_TOP,
+    &table::spinning_egg::SPINNING_EGG,
+    &table::sliding_cone::SLIDING_CONE,
+    &table::rounded_top::ROUNDED_TOP,
+    &table::billiard_ball::BILLIARD_BALL,
 ];

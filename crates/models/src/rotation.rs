@@ -33,6 +33,18 @@ pub(crate) fn to_space<S: Scalar>([w, x, y, z]: Quaternion<S>, v: Vector<S>) -> 
     rows.map(|row| dot(row, v))
 }
 
+/// The product of two quaternions: first the turn `b`, then `a`.
+#[inline(always)]
+pub(crate) fn product<S: Scalar>(a: Quaternion<S>, b: Quaternion<S>) -> Quaternion<S> {
+    let ([s, u, v, w], [t, x, y, z]) = (a, b);
+    [
+        s * t - u * x - v * y - w * z,
+        s * x + u * t + v * z - w * y,
+        s * y - u * z + v * t + w * x,
+        s * z + u * y - v * x + w * t,
+    ]
+}
+
 /// The rate of a quaternion whose body turns with `omega` in body axes: half the product of both.
 #[inline(always)]
 pub(crate) fn quaternion_rate<S: Scalar>(

@@ -310,3 +310,59 @@ fn an_upright_body_has_finite_angles() {
     close(body.observe(&y, "psi") + body.observe(&y, "phi"), 0.5, 1e-15);
     close(body.observe(&y, "psi_dot") + body.observe(&y, "phi_dot"), 1.2, 1e-15);
 }
+
+/// T 6.3 takes `m g d sin(theta) u` for the moment of the weight; about the contact of its tippe top it is `-m g R alpha sin(theta) u`:
+/// at rest, tilted, it rights itself.
+#[test]
+fn the_weight_rights_a_tippe_top() {
+    for (id, first) in [("tippe_top_rolling", 5), ("rolling_top", 6)] {
+        let top = ready(id);
+        let y = top.start(&[("theta", 0.4), ("psi_dot", 0.0), ("phi_dot", 0.0)]).expect("a start at rest");
+        let rate = top.rate(&y)[first + 1];
+        let of = |name: &str| ready("tippe_top_rolling").value(name);
+        let (m, radius, alpha, i1) = (of("m"), of("radius"), of("alpha"), of("i1"));
+        let (sin, cos) = Scalar::sin_cos(0.4);
+        let arm = radius * radius * (sin * sin + (alpha - cos) * (alpha - cos));
+        close(rate, -(m * 9.81 * radius * alpha * sin) / (i1 + m * arm), 1e-14);
+    }
+}
+
+/// With the exact rate of `I_A` and the corrected moments, T's general method is the rolling tippe top of (16) to (18).
+#[test]
+fn the_general_method_is_the_rolling_tippe_top() {
+    let (special, mut general) = (ready("tippe_top_rolling"), ready("rolling_top"));
+    general.values.choices[0] = 2;
+    for k in 0..100 {
+        let x = f64::from(k);
+        let theta = 0.05 + 3.0 * Scalar::sin(x * 0.37).abs();
+        let [psi_dot, theta_dot, phi_dot] = [1.1, 1.7, 2.3].map(|f| 30.0 * Scalar::sin(x * f + f));
+        let names = [("theta", theta), ("psi_dot", psi_dot), ("theta_dot", theta_dot), ("phi_dot", phi_dot)];
+        let a = special.rate(&special.start(&names).expect("a sound start"));
+        let b = general.rate(&general.start(&names).expect("a sound start"));
+        let size = 1.0 + a[5..].iter().fold(0.0, |sum, x| x.abs() + sum);
+        for i in 0..3 {
+            assert!((a[5 + i] - b[6 + i]).abs() <= 1e-13 * size, "{:?} is not {:?}", &a[5..], &b[6..]);
+        }
+    }
+}
+
+/// On a tip it is the gyroscope, whatever is made of a rate that vanishes.
+#[test]
+fn the_general_method_on_a_tip_is_the_gyroscope() {
+    let (cone, mut general) = (ready("gyroscope"), ready("rolling_top"));
+    for name in ["m", "i1", "i3"] {
+        general.set(name, cone.value(name));
+    }
+    for (name, x) in [("point", -cone.value("d")), ("across", 0.0), ("along", 0.0)] {
+        general.set(name, x);
+    }
+    let names = [("theta", 0.7), ("psi_dot", 3.0), ("theta_dot", -2.0), ("phi_dot", 50.0)];
+    for choice in 0..3 {
+        general.values.choices[0] = choice;
+        let a = cone.rate(&cone.start(&names).expect("a sound start"));
+        let b = general.rate(&general.start(&names).expect("a sound start"));
+        for i in 0..3 {
+            close(a[3 + i], b[6 + i], 1e-13);
+        }
+    }
+}

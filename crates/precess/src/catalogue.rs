@@ -6,12 +6,13 @@ use precess_system::AnySystem;
 
 /// Every system.
 pub fn systems() -> &'static [&'static dyn AnySystem] {
-    precess_models::ALL
+    // What is not named here is not in the program either.
+    if cfg!(feature = "first") { precess_models::FIRST } else { precess_models::ALL }
 }
 
 /// Every method.
 pub fn methods() -> &'static [&'static dyn AnyMethod] {
-    METHODS
+    if cfg!(feature = "first") { precess_integrate::FIRST } else { METHODS }
 }
 
 /// The system of this id.

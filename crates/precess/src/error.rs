@@ -51,7 +51,7 @@ pub(crate) fn quoted(text: &str) -> String {
 pub fn unknown<'a>(what: &str, name: &str, names: impl IntoIterator<Item = &'a str>) -> Error {
     let names: Vec<&str> = names.into_iter().collect();
     let distance = |candidate: &str| {
-        let lower = name.to_lowercase();
+        let lower = name.to_ascii_lowercase();
         // A name that begins like the one meant is nearer than any other.
         let prefix = candidate.starts_with(&lower) || (!candidate.is_empty() && lower.starts_with(candidate));
         let edits = strsim::damerau_levenshtein(&lower, candidate) * 2;

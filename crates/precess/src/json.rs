@@ -108,6 +108,7 @@ pub fn methods() -> Value {
             "order": card.order,
             "adaptive": card.kind == Kind::Adaptive,
             "separable_only": card.needs == Needs::Separable,
+            "closed_form_only": card.needs == Needs::ClosedForm,
             "symplectic": card.symplectic,
             "reversible": card.reversible,
             "source": card.source,

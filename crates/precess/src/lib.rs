@@ -7,6 +7,7 @@
 #[cfg(feature = "analyses")]
 pub mod analyses;
 pub mod basins;
+pub mod body;
 mod canonical;
 pub mod catalogue;
 mod compare;
@@ -20,12 +21,14 @@ mod grid;
 mod hash;
 pub mod json;
 mod members;
+mod page;
 mod panel;
 mod picture;
 mod plan;
 mod random;
 mod resolve;
 mod run;
+mod satellites;
 mod scenario;
 pub mod scenarios;
 pub mod value;
@@ -41,9 +44,10 @@ pub use family::FamilyMember;
 pub use grid::{Axis, combinations, grid, starts};
 pub use hash::{hash, hash_numbers};
 pub use members::{Keep, Members};
+pub use page::page;
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
-pub use run::{Outcome, Provenance, run};
+pub use run::{Outcome, Provenance, columns, run};
 pub use scenario::{EventSpec, FamilySpec, FigureKind, FigureSpec, Scenario, Words};
 pub use workers::Workers;
 

@@ -18,7 +18,7 @@ pub(crate) fn panel(plan: &Plan, figure: &FigureSpec) -> Result<PanelPlan, Error
 
 fn held(plan: &Plan, figure: &FigureSpec) -> Result<PanelPlan, Error> {
     let columns = plan.columns();
-    for name in figure.x.iter().chain(&figure.y) {
+    for name in figure.x.iter().chain(&figure.y).filter(|_| figure.kind != FigureKind::Response) {
         if starred(&columns, name).is_empty() {
             resolve::column(plan, name)?;
         }

@@ -6,6 +6,7 @@ mod potential;
 mod shown;
 mod views;
 
+pub(crate) use curves::curves;
 #[cfg(feature = "analyses")]
 pub(crate) use labels::axis;
 pub(crate) use labels::{readable, subtitle};
@@ -33,7 +34,7 @@ pub fn picture(plan: &Plan, trajectory: &Trajectory, progress: Watcher) -> Resul
     let mut panels = vec![];
     if plan.panels.is_empty() {
         for view in &plan.card.views {
-            panels.push(curves::curves(&views::panel(&columns, view), &shown));
+            panels.push(curves(&views::panel(&columns, view), &shown));
         }
         panels.extend(drift_panel(trajectory));
     }
@@ -51,7 +52,7 @@ fn of_kind(
     progress: Watcher,
 ) -> Result<Option<Panel>, Error> {
     match panel.spec.kind {
-        FigureKind::Curves => Ok(Some(curves::curves(panel, shown))),
+        FigureKind::Curves => Ok(Some(curves(panel, shown))),
         FigureKind::Snapshot => Ok(Some(curves::snapshot(panel, shown))),
         FigureKind::Potential => potential::potential(panel, shown).map(Some),
         #[cfg(feature = "analyses")]

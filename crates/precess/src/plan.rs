@@ -8,7 +8,7 @@ use crate::{catalogue, panel, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
 use precess_scalar::{Tape, Taylor};
 use precess_system::{
-    AnySystem, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
+    AnySystem, Bind, Card, Direction, Given, Layout, ObservableKind, Quantity, Structure, Values,
 };
 use std::sync::Arc;
 
@@ -97,6 +97,8 @@ pub struct Plan {
 
 /// More samples than this do not fit a table that anybody reads.
 const MOST_SAMPLES: f64 = 1e8;
+/// More numbers than this fit no memory: 16 GB.
+const MOST_NUMBERS: f64 = 2e9;
 /// More steps than this take years.
 const MOST_STEPS: f64 = 1e14;
 /// A relative difference between the equations and the Lagrangian's that no rounding makes.
@@ -113,7 +115,16 @@ impl Plan {
         let values = resolve::parameters(&card, &scenario.parameters)?;
         let (layout, start) = resolve::start(system, &card, &values, &scenario.start)?;
         let structure = precess_system::structure(system, &values, &layout);
-        let method = catalogue::method(scenario.method.as_deref().unwrap_or(card.defaults.method))?;
+        let printed = as_printed(system, &values, &layout, &start);
+        let usual = if printed { AS_PRINTED } else { card.defaults.method };
+        let method = catalogue::method(scenario.method.as_deref().unwrap_or(usual))?;
+        if printed && method.card().id != AS_PRINTED {
+            return input(format!(
+                "with these parameters {} is stepped as in its source, by {AS_PRINTED} alone, not by '{}'",
+                card.id,
+                method.card().id
+            ));
+        }
         let mut plan = Self {
             title: if scenario.title.is_empty() { card.title.en.clone() } else { scenario.title.clone() },
             until: card.defaults.until,
@@ -135,6 +146,12 @@ impl Plan {
         plan.check_method()?;
         plan.record_equations()?;
         plan.read_run(&scenario.run)?;
+        if plan.method.card().needs == Needs::ClosedForm && !scenario.events.is_empty() {
+            return input(format!(
+                "method '{}' jumps from sample to sample and meets no event on the way: watch them by dop853",
+                plan.method.card().id
+            ));
+        }
         plan.watches = scenario.events.iter().map(|e| resolve::watch(&plan, e)).collect::<Result<_, _>>()?;
         plan.members = members(scenario)?;
         plan.panels = scenario.figures.iter().map(|f| panel::panel(&plan, f)).collect::<Result<_, _>>()?;
@@ -160,15 +177,17 @@ impl Plan {
 
     /// The starts as the user may name them back.
     pub fn given(&self) -> Given {
-        let names = self.layout.state().into_iter().map(|q| q.name);
+        let names = self.layout.starts().into_iter().map(|q| q.name);
         Given(names.zip(self.start.iter().copied()).collect())
     }
 
     fn check_method(&self) -> Result<(), Error> {
         let card = self.method.card();
         let id = self.card.id;
-        if card.needs != Needs::Separable || self.structure.separable() {
-            return Ok(());
+        match card.needs {
+            Needs::ClosedForm => return self.check_closed_form(),
+            Needs::Separable if !self.structure.separable() => {}
+            _ => return Ok(()),
         }
         let why = if self.structure.hybrid {
             format!("{id} has events")
@@ -186,10 +205,20 @@ impl Plan {
         ))
     }
 
+    fn check_closed_form(&self) -> Result<(), Error> {
+        let (id, method) = (self.card.id, self.method.card().id);
+        let why = match self.system.solvable(&self.values, &self.layout, &self.start) {
+            _ if self.structure.hybrid => "the system has events".into(),
+            Err(why) => why,
+            Ok(()) => return Ok(()),
+        };
+        input(format!("method '{method}' needs a closed form of {id}, and {why}: dop853 integrates it"))
+    }
+
     /// For methods that need them.
     fn record_equations(&mut self) -> Result<(), Error> {
         let tape = match self.method.card().needs {
-            Needs::Any | Needs::Separable => return Ok(()),
+            Needs::Any | Needs::Separable | Needs::ClosedForm => return Ok(()),
             Needs::Expression => self.expression()?,
             Needs::Lagrangian => self.momenta()?,
         };
@@ -276,7 +305,12 @@ impl Plan {
             }
             Kind::Adaptive => tolerances(rtol.unwrap_or(1e-10), atol.unwrap_or(1e-10))?,
         };
-        self.check_times(every)
+        self.check_times(every)?;
+        if method.needs == Needs::ClosedForm && dt.is_none() {
+            // Steps cost time there, and give nothing.
+            self.step = Step::Fixed(self.every);
+        }
+        Ok(())
     }
 
     fn check_times(&mut self, every: Option<f64>) -> Result<(), Error> {
@@ -298,6 +332,12 @@ impl Plan {
                 "{samples:.1e} samples are too many: make 'every' longer (at most 1e8 samples)"
             ));
         }
+        let numbers = samples * (1 + self.layout.shape().state()) as f64;
+        if numbers > MOST_NUMBERS {
+            return input(format!(
+                "the samples would be {numbers:.1e} numbers, which fit no memory: make 'every' longer"
+            ));
+        }
         if let Step::Fixed(dt) = self.step {
             let steps = until.abs() / dt;
             if steps > MOST_STEPS {
@@ -306,6 +346,15 @@ impl Plan {
         }
         Ok(())
     }
+}
+
+/// The one method whose steps a source's program may vary.
+const AS_PRINTED: &str = "euler_taylor";
+
+/// Whether the parameters ask for a step that the system's source takes, and its equations do not.
+fn as_printed(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout, start: &[f64]) -> bool {
+    let field = Bind::<f64>::bind(system, values.clone(), layout);
+    field.drift(0.0, start, &mut vec![0.0; start.len()])
 }
 
 fn positive(name: &str, x: f64) -> Result<f64, Error> {

@@ -5,6 +5,7 @@ use crate::plan::{Plan, Watch};
 use crate::scenario::EventSpec;
 use crate::value::{self, Value};
 use precess_system::{AnySystem, Card, Default, Direction, Given, Layout, Parameter, Quantity, Values};
+use std::collections::HashMap;
 
 /// Parameters: the card's defaults, then what is given.
 pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Values<f64>, Error> {
@@ -93,9 +94,11 @@ pub(crate) fn start(
     let names = Given(given.iter().map(|(name, _)| (name.clone(), 0.0)).collect());
     let layout = system.layout(values, &names);
     let quantities: Vec<_> = layout.state().into_iter().chain(card.starts.iter().cloned()).collect();
+    // A map, for there may be a million names; it is asked, not walked.
+    let known: HashMap<&str, &Quantity> = quantities.iter().map(|q| (q.name.as_str(), q)).collect();
     let mut starts = Given::default();
     for (name, value) in given {
-        let Some(quantity) = quantities.iter().find(|q| q.name == *name) else {
+        let Some(quantity) = known.get(name.as_str()) else {
             let names = quantities.iter().map(|q| q.name.as_str());
             return Err(unknown(&format!("start of {}", card.id), name, names));
         };

@@ -3,6 +3,7 @@
 use crate::canonical::scenario_toml;
 use crate::hash::hash_text;
 use crate::plan::{Plan, Step};
+use crate::satellites;
 use precess_integrate::{Drive, Failure, Pace, Report, Samples, Source, Tolerance, Watched, drive};
 use precess_system::{Bind, Column, ColumnKind, Field, Occurrence, Trajectory};
 use std::cell::RefCell;
@@ -80,13 +81,25 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
     let mut trajectory = Trajectory { columns: columns(plan), ..Trajectory::default() };
     let state = plan.layout.shape().state();
     let mut observed = vec![0.0; plan.layout.observables.len()];
-    let mut record = |t: f64, y: &[f64]| {
-        field.observe(t, y, &mut observed);
-        trajectory.numbers.push(t);
-        trajectory.numbers.extend_from_slice(&y[..state]);
-        trajectory.numbers.extend_from_slice(&observed);
+    let width = trajectory.columns.len();
+    let by_parts = satellites::of(plan).and_then(|parts| satellites::run(plan, &parts, width, progress));
+    let report = if let Some((report, mut numbers)) = by_parts {
+        for row in numbers.chunks_mut(width) {
+            let (t, (y, out)) = (row[0], row[1..].split_at_mut(state));
+            field.observe(t, y, out);
+        }
+        trajectory.numbers = numbers;
+        report
+    } else {
+        let mut record = |t: f64, y: &[f64]| {
+            field.observe(t, y, &mut observed);
+            trajectory.numbers.push(t);
+            trajectory.numbers.extend_from_slice(&y[..state]);
+            trajectory.numbers.extend_from_slice(&observed);
+        };
+        runner.drive(&plan.start, &mut record, progress)
     };
-    let report = runner.drive(&plan.start, &mut record, progress);
+    let failure = report.failure.clone().map(|f| explained(plan, f, report.end, &report.state));
     trajectory.events = report
         .events
         .into_iter()
@@ -111,12 +124,19 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
             evaluations: report.evaluations,
         },
         stopped_by: report.stopped_by.map(|k| plan.watches[k].name.clone()),
-        failure: report.failure,
+        failure,
     }
 }
 
-/// Cyclic angles and modes stay out of the error norm: nothing depends on an angle that no equation holds, and a
-/// mode rests.
+/// A failure in the words of the system, where it knows what happened.
+fn explained(plan: &Plan, failure: Failure, t: f64, y: &[f64]) -> Failure {
+    let lost =
+        matches!(failure, Failure::Diverged { .. } | Failure::StepTooSmall { .. } | Failure::TooSlow { .. });
+    let trouble = if lost { plan.system.trouble(&plan.values, &plan.layout, t, y) } else { None };
+    trouble.map_or(failure, |what| Failure::Trouble { t, what })
+}
+
+/// Cyclic angles and resting modes stay out of the error norm: nothing depends on an angle that no equation holds.
 pub(crate) fn pace(plan: &Plan) -> Pace {
     match plan.step {
         Step::Fixed(dt) => Pace::Fixed(dt),
@@ -124,14 +144,14 @@ pub(crate) fn pace(plan: &Plan) -> Pace {
             let shape = plan.layout.shape();
             let mut skip = plan.structure.cyclic.clone();
             skip.resize(shape.state(), false);
-            skip.resize(shape.full(), true);
+            skip.extend(&plan.structure.resting);
             Pace::Adaptive(Tolerance { rtol, atol, skip })
         }
     }
 }
 
 /// The columns of the result.
-pub(crate) fn columns(plan: &Plan) -> Vec<Column> {
+pub fn columns(plan: &Plan) -> Vec<Column> {
     let state = plan.layout.shape().state();
     let kind = |k: usize| match k {
         0 => ColumnKind::Time,

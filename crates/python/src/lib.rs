@@ -5,9 +5,12 @@
 // What Python passes is converted, and so ours.
 #![allow(clippy::needless_pass_by_value)]
 
+mod analyses;
 mod cards;
 mod ensemble;
 mod error;
+mod field;
+mod figure;
 mod plan;
 mod run;
 mod value;
@@ -17,6 +20,8 @@ mod watch;
 #[pyo3::pymodule]
 mod _core {
     #[pymodule_export]
+    use crate::analyses::{Answer, Fit, fit, lyapunov, picture, poincare, sensitivities};
+    #[pymodule_export]
     use crate::cards::{
         method_cards, scenario_texts, system_card, system_equations, system_ids, unknown, version,
     };
@@ -24,6 +29,8 @@ mod _core {
     use crate::ensemble::Members;
     #[pymodule_export]
     use crate::error::{InputError, RunError};
+    #[pymodule_export]
+    use crate::field::{expressions, jacobian, rate};
     #[pymodule_export]
     use crate::plan::Plan;
     #[pymodule_export]

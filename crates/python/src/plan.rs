@@ -14,8 +14,8 @@ use pyo3::types::{PyDict, PyList};
 /// A run that is fully determined.
 #[pyclass(frozen, module = "precess._core")]
 pub struct Plan {
-    scenario: Scenario,
-    plan: precess::Plan,
+    pub scenario: Scenario,
+    pub plan: precess::Plan,
 }
 
 /// An event as Python gives it: name, crossing, direction, whether the run ends there.

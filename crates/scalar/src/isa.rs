@@ -48,7 +48,7 @@ impl Isa {
     /// # Errors
     /// Where this machine has none of this name; the sentence lists what it has.
     pub fn named(name: &str) -> Result<Self, UnknownIsa> {
-        let known = Self::available().into_iter().find(|isa| isa.name() == name.to_lowercase());
+        let known = Self::available().into_iter().find(|isa| isa.name() == name.to_ascii_lowercase());
         known.ok_or_else(|| UnknownIsa(name.chars().take(40).flat_map(char::escape_debug).collect()))
     }
 

@@ -5,10 +5,12 @@
 //! recorded expression ([`Traced`]) and on units of measure ([`Unit`]).
 
 mod batch;
+mod carlson;
 mod dependence;
 mod double_double;
 mod dual;
 pub mod elementary;
+mod elliptic;
 mod isa;
 mod lanes;
 mod real;
@@ -18,12 +20,14 @@ mod traced;
 mod unit;
 
 pub use batch::Batch;
+pub use carlson::{rf, rj};
 pub use dependence::Dependence;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
+pub use elliptic::{Jacobi, jacobi};
 pub use isa::{Isa, UnknownIsa};
 pub use lanes::Lanes;
 pub use register::{Narrow, Wide, Widest};
 pub use scalar::{Kernel, Scalar};
-pub use traced::{Notation, Printed, Tape, Taylor, Traced, Workspace};
+pub use traced::{Entry, Notation, Printed, Tape, Taylor, Traced, Workspace};
 pub use unit::{Dimension, Unit};

@@ -71,6 +71,15 @@ pub struct Defaults {
     pub dt: f64,
 }
 
+/// A start that the state does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    /// Name, unit, meaning.
+    pub quantity: Quantity,
+    /// Where nobody gives it.
+    pub start: f64,
+}
+
 /// All that is known of a system but its equations.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Card {
@@ -84,8 +93,10 @@ pub struct Card {
     pub source: &'static str,
     /// Coordinates in order.
     pub coordinates: Vec<Coordinate>,
-    /// Number of modes of a hybrid system.
+    /// Number of modes.
     pub modes: usize,
+    /// Starts that the state does not hold (a rate that fixes a constant of the motion): the first modes keep them.
+    pub held: Vec<Held>,
     /// Parameters in order.
     pub parameters: Vec<Parameter>,
     /// Observables in order.
@@ -109,6 +120,7 @@ pub fn card(id: &'static str, en: &str, fr: &str) -> Card {
         source: "",
         coordinates: vec![],
         modes: 0,
+        held: vec![],
         parameters: vec![],
         observables: vec![],
         starts: vec![],
@@ -137,7 +149,9 @@ impl Card {
         self.coordinates.push(coordinate);
         self
     }
-    /// Declares modes: numbers that rest between events.
+    /// Declares modes: numbers behind the scenes, which rest between events unless [`System::mode_rates`] moves them.
+    ///
+    /// [`System::mode_rates`]: crate::System::mode_rates
     #[must_use]
     pub fn modes(mut self, modes: usize) -> Self {
         self.modes = modes;
@@ -180,6 +194,12 @@ impl Card {
     pub fn start(mut self, name: &str, unit: &str, en: &str, fr: &str) -> Self {
         self.starts.push(quantity(name, unit, en, fr));
         self
+    }
+    /// Adds a start that the state does not hold: the next mode keeps it, so that a run can be written down.
+    #[must_use]
+    pub fn held(mut self, name: &str, unit: &str, start: f64, en: &str, fr: &str) -> Self {
+        self.held.push(Held { quantity: quantity(name, unit, en, fr), start });
+        self.start(name, unit, en, fr)
     }
     /// Adds an event.
     #[must_use]

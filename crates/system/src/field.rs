@@ -1,11 +1,12 @@
 //! The seam where a system's type is forgotten and the number's is kept.
 
-use crate::{Card, Given, Layout, Shape, State, System, Values};
+use crate::{Card, Given, Layout, Satellites, Shape, State, System, Values};
 #[cfg(feature = "tangents")]
 use precess_scalar::Dual;
 use precess_scalar::{Dependence, Kernel, Narrow, Scalar, Traced, Wide, Widest};
 #[cfg(feature = "laws")]
 use precess_scalar::{DoubleDouble, Unit};
+use std::collections::HashMap;
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -13,12 +14,20 @@ use precess_scalar::{DoubleDouble, Unit};
 pub trait Field<S: Scalar>: Send + Sync {
     /// The sizes of a state.
     fn shape(&self) -> &Shape;
-    /// The rate of every number of the state; a mode rests. There may be several rows of states (see [`Shape`]).
+    /// The rate of every number of the state. There may be several rows of states (see [`Shape`]).
     fn rate(&self, t: S, y: &[S], dy: &mut [S]);
     /// The observables.
     fn observe(&self, t: S, y: &[S], out: &mut [S]);
     /// The Lagrangian, where there is one.
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S>;
+    /// The closed form: the full state at time `t` from the one at time `from`, where the system is solvable. There may
+    /// be several rows.
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]);
+    /// The accelerations of [`System::drift`], in the places of the velocities, and whether there are any. There may be
+    /// several rows.
+    fn drift(&self, _t: S, _y: &[S], _dy: &mut [S]) -> bool {
+        false
+    }
     /// The event functions.
     fn crossings(&self, t: S, y: &[S], out: &mut [S]);
     /// Applies an event to the state.
@@ -69,12 +78,78 @@ impl<M: System, S: Scalar, const WHAT: u8> Kernel for Evaluation<'_, M, S, WHAT>
     }
 }
 
+/// The accelerations of the positions, compiled for the instructions of their number.
+struct Drift<'a, M, S> {
+    bound: &'a Bound<M, S>,
+    t: &'a S,
+    y: &'a [S],
+    dy: &'a mut [S],
+}
+
+impl<M: System, S: Scalar> Kernel for Drift<'_, M, S> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        let Self { bound, t, y, dy } = self;
+        let shape = &bound.shape;
+        let (coordinates, modes) = (shape.coordinates, shape.modes);
+        let rows = y.len() / shape.full();
+        let (q, rest) = y.split_at(rows * coordinates);
+        let (v, m) = rest.split_at(rows * shape.second.len());
+        let mut differs = shape.is_second_order();
+        for row in 0..rows {
+            if differs {
+                let own = row * coordinates..(row + 1) * coordinates;
+                let (coordinates, velocities) = (&q[own.clone()], &v[own.clone()]);
+                let modes = &m[row * modes..][..modes];
+                let state = State { t: *t, coordinates, velocities, modes, values: &bound.values };
+                differs = bound.system.drift(&state, &mut dy[q.len()..][own]);
+            }
+        }
+        differs
+    }
+}
+
+/// The closed form, compiled for the instructions of its number.
+struct Solution<'a, M, S> {
+    bound: &'a Bound<M, S>,
+    from: &'a S,
+    start: &'a [S],
+    t: &'a S,
+    y: &'a mut [S],
+}
+
+impl<M: System, S: Scalar> Kernel for Solution<'_, M, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self { bound, from, start, t, y } = self;
+        let shape = &bound.shape;
+        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let rows = y.len() / shape.full();
+        let (q, rest) = start.split_at(rows * coordinates);
+        let (v, m) = rest.split_at(rows * second);
+        let (q_out, rest) = y.split_at_mut(rows * coordinates);
+        let (v_out, m_out) = rest.split_at_mut(rows * second);
+        m_out.copy_from_slice(m);
+        for row in 0..rows {
+            let (of_q, of_v) = (row * coordinates..(row + 1) * coordinates, row * second..(row + 1) * second);
+            let (coordinates, velocities) = (&q[of_q.clone()], &v[of_v.clone()]);
+            let modes = &m[row * modes..][..modes];
+            let state = State { t: *from, coordinates, velocities, modes, values: &bound.values };
+            bound.system.solution(&state, *t, &mut q_out[of_q], &mut v_out[of_v]);
+        }
+    }
+}
+
 impl<M: System, S: Scalar> Bound<M, S> {
     /// The rates of all rows.
     #[inline(always)]
     fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
         let shape = &self.shape;
-        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let (coordinates, second) = (shape.coordinates, shape.second.len());
         let rows = if y.len() == shape.full() { 1 } else { y.len() / shape.full() };
         let (q, rest) = y.split_at(rows * coordinates);
         let (v, m) = rest.split_at(rows * second);
@@ -84,7 +159,7 @@ impl<M: System, S: Scalar> Bound<M, S> {
         for row in 0..rows {
             let (from, to) = (row * coordinates, (row + 1) * coordinates);
             let (q, v) = (&q[from..to], &v[row * second..][..second]);
-            let modes = &m[row * modes..][..modes];
+            let modes = &m[row * shape.modes..][..shape.modes];
             let state = State { t, coordinates: q, velocities: v, modes, values: &self.values };
             // The equations give accelerations in the order of the coordinates. Where each coordinate has one, that is
             // the order of the velocities; elsewhere each moves from its coordinate's place to its velocity's.
@@ -97,9 +172,10 @@ impl<M: System, S: Scalar> Bound<M, S> {
                 }
                 dq[i] = v;
             }
-        }
-        if modes > 0 {
-            dm.fill(S::from(0.0));
+            if modes.is_empty() {
+                continue;
+            }
+            self.system.mode_rates(&state, &mut dm[row * shape.modes..][..shape.modes]);
         }
     }
 
@@ -127,6 +203,14 @@ where
 
     fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
         self.evaluate::<CROSSINGS>(&t, y, out);
+    }
+
+    fn drift(&self, t: S, y: &[S], dy: &mut [S]) -> bool {
+        S::enter(Drift { bound: self, t: &t, y, dy })
+    }
+
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        S::enter(Solution { bound: self, from: &from, start, t: &t, y });
     }
 
     fn lagrangian(&self, t: S, y: &[S]) -> Option<S> {
@@ -177,6 +261,23 @@ impl<M: System, S: Scalar> Rates<S> for M {
     }
 }
 
+/// Observes a state once, on a number that no method integrates with.
+#[cfg(feature = "tangents")]
+pub trait Observes<S: Scalar> {
+    /// The observables of a full state.
+    fn observed(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Vec<S>;
+}
+
+#[cfg(feature = "tangents")]
+impl<M: System, S: Scalar> Observes<S> for M {
+    fn observed(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Vec<S> {
+        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let mut out = vec![S::from(0.0); bound.shape.observables];
+        self.observe(&bound.state(t, y), &mut out);
+        out
+    }
+}
+
 /// The numbers that only the laws compute with so far. They are left out of the programs: each is every system once
 /// more, which a browser would have to load.
 #[cfg(feature = "laws")]
@@ -186,9 +287,9 @@ pub trait LawNumbers: Bind<Dual<Dual<f64>>> + Bind<DoubleDouble> + Bind<Unit> + 
 pub trait LawNumbers {}
 impl<M: System> LawNumbers for M {}
 
-/// The number of the analyses: a state with a direction in which it moves. A face that offers none leaves it out.
+/// The numbers of the analyses: a state with a direction in which it moves, and observables with two. A face that offers none leaves it out.
 #[cfg(feature = "tangents")]
-pub trait TangentNumbers: Bind<Dual<f64>> {}
+pub trait TangentNumbers: Bind<Dual<f64>> + Observes<Dual<Dual<f64>>> {}
 /// The number of the analyses, without the feature `tangents`: none.
 #[cfg(not(feature = "tangents"))]
 pub trait TangentNumbers {}
@@ -218,6 +319,15 @@ pub trait AnySystem:
     /// # Errors
     /// One sentence, where the starts or the parameters make no sense together.
     fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String>;
+    /// See [`System::trouble`]; at a full state.
+    fn trouble(&self, values: &Values<f64>, layout: &Layout, t: f64, y: &[f64]) -> Option<String>;
+    /// See [`System::satellites`].
+    fn satellites(&self, values: &Values<f64>) -> Option<Satellites>;
+    /// See [`System::solvable`]; from a full state.
+    ///
+    /// # Errors
+    /// One sentence: why the motion has no closed form.
+    fn solvable(&self, values: &Values<f64>, layout: &Layout, start: &[f64]) -> Result<(), String>;
     /// See [`System::period`].
     fn period(&self, values: &Values<f64>) -> Option<f64>;
 }
@@ -239,12 +349,29 @@ impl<M: System> AnySystem for M {
         System::layout(self, values, given)
     }
 
+    fn trouble(&self, values: &Values<f64>, layout: &Layout, t: f64, y: &[f64]) -> Option<String> {
+        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        System::trouble(self, &bound.state(t, y))
+    }
+
+    fn satellites(&self, values: &Values<f64>) -> Option<Satellites> {
+        System::satellites(self, values)
+    }
+
+    fn solvable(&self, values: &Values<f64>, layout: &Layout, start: &[f64]) -> Result<(), String> {
+        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        System::solvable(self, &bound.state(0.0, start))
+    }
+
     fn start(&self, values: &Values<f64>, layout: &Layout, given: &Given) -> Result<Vec<f64>, String> {
         let mut y = layout.start();
         let size = layout.shape().state();
-        for (place, quantity) in y.iter_mut().zip(layout.state()) {
-            if let Some(x) = given.get(&quantity.name) {
-                *place = x;
+        if !given.0.is_empty() {
+            // A map, for there may be a million names; it is asked, not walked.
+            let named: HashMap<&str, f64> =
+                given.0.iter().rev().map(|(name, x)| (name.as_str(), *x)).collect();
+            for (place, quantity) in y.iter_mut().zip(layout.starts()) {
+                *place = named.get(quantity.name.as_str()).copied().unwrap_or(*place);
             }
         }
         System::start(self, given, values, &mut y[..size])?;

@@ -1,7 +1,7 @@
 //! Which numbers make a state, in which order.
 
 use crate::quantity::{Quantity, Range, dotted, quantity};
-use crate::{Card, Event, Observable};
+use crate::{Card, Event, Held, Observable};
 
 /// How often a coordinate is differentiated in its equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,11 +23,19 @@ pub struct Coordinate {
     pub start: f64,
     /// Velocity at the start (second order only).
     pub start_dot: f64,
+    /// It and the next three are a unit quaternion that turns body axes into space.
+    pub begins_attitude: bool,
 }
 
 /// A second-order coordinate that starts at rest at zero.
 pub fn coordinate(name: &str, unit: &str, en: &str, fr: &str) -> Coordinate {
-    Coordinate { quantity: quantity(name, unit, en, fr), order: Order::Second, start: 0.0, start_dot: 0.0 }
+    Coordinate {
+        quantity: quantity(name, unit, en, fr),
+        order: Order::Second,
+        start: 0.0,
+        start_dot: 0.0,
+        begins_attitude: false,
+    }
 }
 
 impl Coordinate {
@@ -47,6 +55,12 @@ impl Coordinate {
     #[must_use]
     pub fn start_dot(mut self, value: f64) -> Self {
         self.start_dot = value;
+        self
+    }
+    /// It and the next three are a unit quaternion that turns body axes into space.
+    #[must_use]
+    pub fn begins_attitude(mut self) -> Self {
+        self.begins_attitude = true;
         self
     }
     /// Only values of zero and above make sense (a mass of water).
@@ -84,8 +98,8 @@ impl Coordinate {
 
 /// Sizes of a state: what a method needs to know of a system.
 ///
-/// A state is the coordinates, then the velocities of the second-order ones, then the modes of a hybrid
-/// system (which rest between events). Several states that are stepped together are rows: first the coordinates of
+/// A state is the coordinates, then the velocities of the second-order ones, then the modes (the discrete part of a hybrid
+/// system, which rests between events; and what a system integrates behind the scenes). Several states that are stepped together are rows: first the coordinates of
 /// all rows, then all velocities, then all modes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shape {
@@ -93,6 +107,8 @@ pub struct Shape {
     pub coordinates: usize,
     /// For each velocity of a row, the coordinate it belongs to.
     pub second: Vec<usize>,
+    /// The coordinates of a row at which a unit quaternion begins (four numbers that turn body axes into space).
+    pub attitudes: Vec<usize>,
     /// Number of modes of a row.
     pub modes: usize,
     /// Number of observables.
@@ -169,6 +185,8 @@ pub struct Layout {
     pub events: Vec<Event>,
     /// Number of modes.
     pub modes: usize,
+    /// What the first modes hold, see [`Card::held`].
+    pub held: Vec<Held>,
 }
 
 impl Layout {
@@ -179,6 +197,7 @@ impl Layout {
             observables: card.observables.clone(),
             events: card.events.clone(),
             modes: card.modes,
+            held: card.held.clone(),
         }
     }
     /// The sizes alone.
@@ -187,6 +206,7 @@ impl Layout {
         Shape {
             coordinates: self.coordinates.len(),
             second: second.map(|(i, _)| i).collect(),
+            attitudes: (0..self.coordinates.len()).filter(|&i| self.coordinates[i].begins_attitude).collect(),
             modes: self.modes,
             observables: self.observables.len(),
             events: self.events.len(),
@@ -199,11 +219,16 @@ impl Layout {
         let velocities = second.map(Coordinate::velocity);
         self.coordinates.iter().map(|c| c.quantity.clone()).chain(velocities).collect()
     }
-    /// The state at the start, as the card has it (modes are zero until the system sets them).
+    /// All that a start may be given by: the state, and what the modes hold.
+    pub fn starts(&self) -> Vec<Quantity> {
+        self.state().into_iter().chain(self.held.iter().map(|held| held.quantity.clone())).collect()
+    }
+    /// The state at the start, as the card has it (modes that hold no start are zero until the system sets them).
     pub fn start(&self) -> Vec<f64> {
         let second = self.coordinates.iter().filter(|c| c.order == Order::Second);
         let velocities = second.map(|c| c.start_dot);
-        let modes = std::iter::repeat_n(0.0, self.modes);
+        let held = self.held.iter().map(|held| held.start);
+        let modes = held.chain(std::iter::repeat(0.0)).take(self.modes);
         self.coordinates.iter().map(|c| c.start).chain(velocities).chain(modes).collect()
     }
 }

@@ -17,15 +17,17 @@ mod trajectory;
 mod units;
 mod values;
 
-pub use card::{Card, Defaults, Direction, Event, Observable, ObservableKind, View, card};
+pub use card::{Card, Defaults, Direction, Event, Held, Observable, ObservableKind, View, card};
 pub use expression::expression;
+#[cfg(feature = "tangents")]
+pub use field::Observes;
 pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
 pub use hamilton::{beside_the_lagrangian, momenta};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};
 pub use state::State;
 pub use structure::{Structure, structure};
-pub use system::{Given, System};
+pub use system::{Given, Satellites, System};
 pub use text::Text;
 pub use trajectory::{Column, ColumnKind, Occurrence, Trajectory};
 pub use units::{UnitError, parse_unit};

@@ -112,6 +112,8 @@ pub struct Parameter {
     pub default: Default,
     /// The longest list that makes sense.
     pub longest: usize,
+    /// Its items decide how many coordinates there are.
+    pub structural: bool,
 }
 
 /// A list longer than this is a mistake, unless a card says otherwise.
@@ -119,13 +121,18 @@ const LONGEST: usize = 100_000;
 
 /// A numeric parameter.
 pub fn number(name: &str, unit: &str, default: f64, en: &str, fr: &str) -> Parameter {
-    Parameter { quantity: quantity(name, unit, en, fr), default: Default::Number(default), longest: 1 }
+    Parameter {
+        quantity: quantity(name, unit, en, fr),
+        default: Default::Number(default),
+        longest: 1,
+        structural: false,
+    }
 }
 
 /// A list of numbers.
 pub fn list(name: &'static str, unit: &str, default: &[f64], en: &str, fr: &str) -> Parameter {
     let default = Default::List { fields: &["item"], items: default.to_vec() };
-    Parameter { quantity: quantity(name, unit, en, fr), default, longest: LONGEST }
+    Parameter { quantity: quantity(name, unit, en, fr), default, longest: LONGEST, structural: false }
 }
 
 /// A list of items that are several numbers each.
@@ -137,12 +144,17 @@ pub fn rows<const W: usize>(
     fr: &str,
 ) -> Parameter {
     let default = Default::List { fields, items: default.concat() };
-    Parameter { quantity: quantity(name, "", en, fr), default, longest: LONGEST }
+    Parameter { quantity: quantity(name, "", en, fr), default, longest: LONGEST, structural: false }
 }
 
 /// One of several words.
 pub fn choice(name: &str, options: &'static [&'static str], en: &str, fr: &str) -> Parameter {
-    Parameter { quantity: quantity(name, "", en, fr), default: Default::Choice(options), longest: 1 }
+    Parameter {
+        quantity: quantity(name, "", en, fr),
+        default: Default::Choice(options),
+        longest: 1,
+        structural: false,
+    }
 }
 
 impl Parameter {
@@ -168,6 +180,12 @@ impl Parameter {
     #[must_use]
     pub fn at_most(mut self, items: usize) -> Self {
         self.longest = items;
+        self
+    }
+    /// Its items decide how many coordinates there are.
+    #[must_use]
+    pub fn structural(mut self) -> Self {
+        self.structural = true;
         self
     }
     /// A LaTeX symbol other than the one the name suggests.

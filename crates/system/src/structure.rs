@@ -16,6 +16,8 @@ pub struct Structure {
     pub hybrid: bool,
     /// For each coordinate: it has a velocity, and no equation depends on it (cyclic, or ignorable).
     pub cyclic: Vec<bool>,
+    /// For each mode: it rests between events.
+    pub resting: Vec<bool>,
 }
 
 impl Structure {
@@ -48,6 +50,7 @@ pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) 
         dy[i] = Dependence::from(0.0);
     }
     let marks = dy.iter().chain(&crossings).fold(0, |all, d| all | d.marks());
+    let resting = dy[shape.state()..].iter().map(|d| *d == Dependence::from(0.0)).collect();
     let has_velocity = |i| shape.second.contains(&i);
     Structure {
         second_order: shape.is_second_order(),
@@ -55,5 +58,6 @@ pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) 
         time_enters: marks & TIME != 0,
         hybrid: shape.events > 0,
         cyclic: (0..shape.coordinates).map(|i| has_velocity(i) && marks & mark(i) == 0).collect(),
+        resting,
     }
 }

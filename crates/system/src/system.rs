@@ -14,6 +14,17 @@ impl Given {
     }
 }
 
+/// Equal parts of a system that feel the rest, and move neither it nor one another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Satellites {
+    /// The coordinates of the rest, which come first; all coordinates are of second order.
+    pub rest: usize,
+    /// The coordinates of a part.
+    pub each: usize,
+    /// The parameters of the rest with one part.
+    pub one: Values<f64>,
+}
+
 /// A mechanical system, written once for every number.
 pub trait System: Clone + Send + Sync + 'static {
     /// Names, units, defaults, texts, source.
@@ -22,6 +33,12 @@ pub trait System: Clone + Send + Sync + 'static {
     /// The highest derivative of each coordinate, in order: the acceleration of a second-order coordinate,
     /// the rate of a first-order one.
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]);
+
+    /// The rates of the modes: all rest, where nothing else is said.
+    #[inline(always)]
+    fn mode_rates<S: Scalar>(&self, _s: &State<S>, rates: &mut [S]) {
+        rates.fill(S::from(0.0));
+    }
 
     /// The observables, in the order of the card.
     fn observe<S: Scalar>(&self, _s: &State<S>, _out: &mut [S]) {}
@@ -32,13 +49,41 @@ pub trait System: Clone + Send + Sync + 'static {
         None
     }
 
+    /// Whether the motion from this start has a closed form: [`solution`](Self::solution).
+    ///
+    /// # Errors
+    /// One sentence: why it has none.
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Err("no closed form of its motion is known here".into())
+    }
+
+    /// The closed form: coordinates `q` and velocities `v` at time `t`, from the state `start` at the time `start.t`,
+    /// which may be the later one. Asked of solvable systems only.
+    fn solution<S: Scalar>(&self, _start: &State<S>, _t: S, _q: &mut [S], _v: &mut [S]) {}
+
+    /// The accelerations that move the positions in a step of `euler_taylor`, where the program of a source takes others
+    /// there than for the velocities; false where it does not.
+    fn drift<S: Scalar>(&self, _s: &State<S>, _highest: &mut [S]) -> bool {
+        false
+    }
+
+    /// Whether part of the system moves nothing else, so that it can be computed piece by piece.
+    fn satellites(&self, _values: &Values<f64>) -> Option<Satellites> {
+        None
+    }
+
+    /// What goes on at a state where a run could not go on, if the system knows (a collision): a clause.
+    fn trouble(&self, _s: &State<f64>) -> Option<String> {
+        None
+    }
+
     /// The event functions, in the order of the card.
     fn crossings<S: Scalar>(&self, _s: &State<S>, _out: &mut [S]) {}
 
     /// What event number `event` does to the state (coordinates, velocities, modes).
     fn jump<S: Scalar>(&self, _event: usize, _s: &State<S>, _y: &mut [S]) {}
 
-    /// The modes at the start, from the rest of the state.
+    /// The modes at the start, from the rest of the state; those that hold a start (see [`Card::held`]) are set already.
     fn start_modes(&self, _s: &State<f64>, _modes: &mut [f64]) {}
 
     /// The period of the equations in time, where time enters and they have one.

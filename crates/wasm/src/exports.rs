@@ -29,10 +29,13 @@ pub extern "C" fn precess_answer_bytes() -> usize {
     desk::answer().1
 }
 
+/// Whether this core is the small one of the lab's first page.
+const FIRST: bool = cfg!(feature = "first");
+
 /// Answers with everything there is: systems, methods, scenarios.
 #[unsafe(no_mangle)]
 pub extern "C" fn precess_catalogue() {
-    desk::say(catalogue::catalogue().to_string());
+    desk::say(if FIRST { "null".into() } else { catalogue::catalogue().to_string() });
 }
 
 /// Runs the scenario (TOML) in the input: a handle to its numbers, and a report as the answer.
@@ -52,6 +55,9 @@ pub extern "C" fn precess_run() -> u32 {
 #[unsafe(no_mangle)]
 pub extern "C" fn precess_ensemble(grid: u32, samples: u32, plain: u32) -> u32 {
     let done = || {
+        if FIRST {
+            return Err("this core has no ensembles".into());
+        }
         let [scenario, names, numbers] = desk::inputs()?;
         let request = ensemble::Request {
             scenario: &desk::text(scenario)?,

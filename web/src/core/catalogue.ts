@@ -59,6 +59,7 @@ export interface Method {
   order: number;
   adaptive: boolean;
   separable_only: boolean;
+  closed_form_only: boolean;
   symplectic: boolean;
   reversible: boolean;
   source: string;

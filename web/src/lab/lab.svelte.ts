@@ -2,12 +2,13 @@
 
 import type { Catalogue, Method, Scenario as Preset, System } from "../core";
 import first from "../first.toml?raw";
+import firstPage from "virtual:first-page";
 import { WORDS } from "../words";
 import { advance, pace, sampleAt } from "./clock";
 import { decode, encode } from "./link";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
-import { Cancelled, Refusal, Runner } from "./runner";
+import { Cancelled, Refusal, Runner, type Done } from "./runner";
 import { blame, by, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
 import { scenarioOf, systemIn } from "./toml";
 
@@ -37,11 +38,16 @@ function remember(key: string, value: string): void {
   }
 }
 
+const FIRST = toml(scenarioOf(first));
+
 const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 export class Lab {
-  readonly catalogue: Catalogue;
+  catalogue = $state.raw<Catalogue>(firstPage);
+  /** Whether everything is there, not only the first page. */
+  whole = $state(false);
   readonly #runner: Runner;
+  #everything: Promise<void> | undefined;
 
   #history = $state.raw<Scenario[]>([]);
   #at = $state(0);
@@ -66,22 +72,32 @@ export class Lab {
   rivals = $state.raw<Rival[]>([]);
 
   static async open(): Promise<Lab> {
-    const runner = await Runner.open();
-    const { catalogue } = runner;
-    if (!catalogue) throw new Error("no catalogue");
-    return new Lab(runner, catalogue);
+    return new Lab(await Runner.open());
   }
 
-  private constructor(runner: Runner, catalogue: Catalogue) {
+  private constructor(runner: Runner) {
     this.#runner = runner;
-    this.catalogue = catalogue;
     this.language =
       remembered("language", ["en", "fr"]) ??
       (navigator.language.toLowerCase().startsWith("fr") ? "fr" : "en");
     this.theme = remembered("theme", ["auto", "light", "dark"]) ?? "auto";
     this.#history = [scenarioOf(first)];
     if (decode(location.hash)) this.followLink(location.hash);
-    else void this.#run();
+    else void this.#run().then(() => this.#everythingElse());
+  }
+
+  /** Loads what the first page does without. */
+  #everythingElse(): Promise<void> {
+    this.#everything ??= this.#runner.grow().then((catalogue) => {
+      this.catalogue = catalogue;
+      this.whole = true;
+    });
+    return this.#everything;
+  }
+  /** Runs a scenario by the core that can. */
+  async #done(text: string, progress?: (t: number) => void): Promise<Done> {
+    if (text !== FIRST) await this.#everythingElse();
+    return this.#runner.run(text, progress);
   }
 
   get words() {
@@ -170,19 +186,20 @@ export class Lab {
 
   /** Opens a scenario file. What the reader here does not know, the core spells out. */
   async openText(text: string): Promise<void> {
+    await this.#everythingElse();
     let scenario: Scenario | undefined;
     try {
       scenario = scenarioOf(text);
     } catch {
       try {
-        scenario = scenarioOf((await this.#runner.run(text)).report.scenario);
+        scenario = scenarioOf((await this.#done(text)).report.scenario);
       } catch (error) {
         this.notice = error instanceof Refusal ? error.message : this.words.link.broken;
       }
     }
     if (scenario && !systemOf(this.catalogue, scenario)) {
       // The core's own sentence says what is wrong with it.
-      const refused = this.#runner.run(text).catch((error: unknown) => {
+      const refused = this.#done(text).catch((error: unknown) => {
         this.notice = error instanceof Error ? error.message : String(error);
       });
       await refused;
@@ -204,7 +221,9 @@ export class Lab {
     if (this.#runner.busy) this.#runner.cancel();
     this.progress = undefined;
     try {
-      const done = await this.#runner.run(text, (t) => (this.progress = t));
+      const done = await this.#done(text, (t) => {
+        if (scenario === this.scenario) this.progress = t;
+      });
       if (scenario !== this.scenario) return;
       this.look = new Look({ ...done, scenario });
       this.refusal = undefined;
@@ -249,7 +268,7 @@ export class Lab {
       let look: Look | undefined;
       let refusal = "";
       try {
-        look = new Look({ ...(await this.#runner.run(toml(by(scenario, method)))), scenario });
+        look = new Look({ ...(await this.#done(toml(by(scenario, method)))), scenario });
       } catch (error) {
         if (error instanceof Cancelled) return;
         refusal = error instanceof Error ? error.message : String(error);

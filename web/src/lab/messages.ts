@@ -2,7 +2,10 @@
 
 import type { Catalogue, Report, RunEvent } from "../core";
 
-export type Ask = { kind: "open"; module: WebAssembly.Module } | { kind: "run"; id: number; text: string };
+export type Ask =
+  /** `stop` holds the number of the run that is to end, where page and worker may share memory. */
+  | { kind: "open"; module: WebAssembly.Module; stop: Int32Array | undefined }
+  | { kind: "run"; id: number; text: string };
 
 export type Answer =
   | { kind: "catalogue"; catalogue: Catalogue }

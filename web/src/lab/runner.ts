@@ -1,7 +1,8 @@
 // Runs scenarios one after the other in a worker. A run that takes long gives way to a newer one.
 
 import type { Catalogue } from "../core";
-// A run needs no lanes: the smaller core is the one that everybody loads.
+// The first page needs one system, and no run needs lanes.
+import firstUrl from "../../wasm/precess-first.wasm?url";
 import url from "../../wasm/precess.wasm?url";
 import type { Answer, Ask } from "./messages";
 
@@ -16,6 +17,9 @@ export class Cancelled extends Error {
   override readonly name = "Cancelled";
 }
 
+/** How long a run that is told to end may take to do so, in milliseconds. */
+const PATIENCE = 1000;
+
 interface Job {
   id: number;
   text: string;
@@ -25,25 +29,35 @@ interface Job {
 }
 
 export class Runner {
-  readonly #module: WebAssembly.Module;
+  #module: WebAssembly.Module;
   #worker: Worker;
+  readonly #stop = globalThis.crossOriginIsolated
+    ? new Int32Array(new SharedArrayBuffer(Int32Array.BYTES_PER_ELEMENT))
+    : undefined;
   #now: Job | undefined;
   #queue: Job[] = [];
   #last = 0;
-  /** Everything that the core knows. */
-  catalogue: Catalogue | undefined;
-
   private constructor(module: WebAssembly.Module) {
     this.#module = module;
     this.#worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
   }
 
+  /** With the small core of the first page. */
   static async open(): Promise<Runner> {
-    const response = await fetch(url);
-    if (!response.ok) throw new Error(`${url}: ${response.status}`);
-    const runner = new Runner(await WebAssembly.compile(await response.arrayBuffer()));
-    runner.catalogue = await runner.#start();
+    const runner = new Runner(await moduleAt(firstUrl));
+    await runner.#start();
     return runner;
+  }
+
+  /** Takes the core that has everything, and says what that is. */
+  async grow(): Promise<Catalogue> {
+    this.#module = await moduleAt(url);
+    // A run in progress is one that waits, too: whoever asks for more than the first page waits for this.
+    if (this.#now) this.#queue.unshift(this.#now);
+    this.#now = undefined;
+    const catalogue = await this.#restart();
+    this.#next();
+    return catalogue;
   }
 
   #ask(ask: Ask): void {
@@ -62,7 +76,7 @@ export class Runner {
         else if (data.kind === "refused" && data.id === 0) reject(new Error(data.sentence));
         else this.#hear(data);
       };
-      this.#ask({ kind: "open", module: this.#module });
+      this.#ask({ kind: "open", module: this.#module, stop: this.#stop });
     });
   }
 
@@ -76,21 +90,21 @@ export class Runner {
     this.#now = undefined;
     if (answer.kind === "done") job.resolve(answer);
     else job.reject(new Refusal(answer.sentence));
-    if (answer.kind === "refused" && answer.broken) this.#restart();
+    if (answer.kind === "refused" && answer.broken) this.#restart().catch(() => undefined);
     this.#next();
   }
 
   #fail(error: Error): void {
     this.#now?.reject(error);
     this.#now = undefined;
-    this.#restart();
+    this.#restart().catch(() => undefined);
     this.#next();
   }
 
-  #restart(): void {
+  #restart(): Promise<Catalogue> {
     this.#worker.terminate();
     this.#worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module" });
-    this.#start().catch(() => undefined);
+    return this.#start();
   }
 
   #next(): void {
@@ -107,14 +121,29 @@ export class Runner {
     });
   }
 
-  /** Ends what runs and forgets what waits. */
+  /** Ends what runs, which keeps its samples where the core can be told in time, and forgets what waits. */
   cancel(): void {
     for (const job of this.#queue.splice(0)) job.reject(new Cancelled());
-    if (this.#now) this.#fail(new Cancelled());
+    const job = this.#now;
+    if (!job) return;
+    if (!this.#stop) {
+      this.#fail(new Cancelled());
+      return;
+    }
+    Atomics.store(this.#stop, 0, job.id);
+    setTimeout(() => {
+      if (this.#now === job) this.#fail(new Cancelled());
+    }, PATIENCE);
   }
 
   /** Whether a run is under way. */
   get busy(): boolean {
     return this.#now !== undefined;
   }
+}
+
+async function moduleAt(url: string): Promise<WebAssembly.Module> {
+  const response = await fetch(url);
+  if (!response.ok) throw new Error(`${url}: ${response.status}`);
+  return WebAssembly.compile(await response.arrayBuffer());
 }

@@ -5,6 +5,7 @@ import { Core, CoreError } from "../core";
 import type { Ask, Answer } from "./messages";
 
 let core: Core | undefined;
+let stop: Int32Array | undefined;
 
 addEventListener("message", ({ data }: MessageEvent<Ask>) => {
   void answer(data);
@@ -18,6 +19,7 @@ async function answer(ask: Ask): Promise<void> {
   try {
     if (ask.kind === "open") {
       core = await Core.load(ask.module);
+      stop = ask.stop;
       say({ kind: "catalogue", catalogue: core.catalogue() });
     } else if (core) {
       run(core, ask.id, ask.text);
@@ -40,7 +42,7 @@ function run(core: Core, id: number, text: string): void {
       last = now;
       say({ kind: "progress", id, t });
     }
-    return true;
+    return !stop || Atomics.load(stop, 0) !== id;
   });
   try {
     const { rows, columns } = run.report;

@@ -15,6 +15,7 @@ export const en = {
   ofScenario: "What to notice",
   search: "Search",
   nothingFound: "Nothing goes by that name.",
+  more: "More is being loaded …",
   presets: "Scenarios",
   parameters: "Parameters",
   start: "Start",

@@ -15,6 +15,7 @@ export const fr: Words = {
   ofScenario: "À remarquer",
   search: "Chercher",
   nothingFound: "Rien ne porte ce nom.",
+  more: "La suite arrive…",
   presets: "Scénarios",
   parameters: "Paramètres",
   start: "Départ",

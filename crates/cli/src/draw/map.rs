@@ -9,6 +9,8 @@ use super::style::{INKS, SHADES, UNCLASSED};
 
 /// Pixels after which a pattern comes again.
 const PATTERN: f64 = 8.0;
+/// A cell larger than this, in pixels, is drawn in parts.
+const FINE: f64 = 2.0;
 
 /// Draws the cells: a path for each colour, so that neighbours have no seam between them.
 pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
@@ -16,7 +18,6 @@ pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
     if rows == 0 {
         return;
     }
-    let (xs, ys) = (edges(map.x, map.columns), edges(map.y, rows));
     let (frame, axes) = (placed.frame, &placed.axes);
     let across = |v: f64| {
         let share = (axes.x.local(v) - axes.x.lo) / (axes.x.hi - axes.x.lo);
@@ -26,17 +27,21 @@ pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
         let share = (axes.y.local(v) - axes.y.lo) / (axes.y.hi - axes.y.lo);
         frame.y + frame.high * (1.0 - share.clamp(0.0, 1.0))
     };
-    let xs: Vec<f64> = xs.into_iter().map(across).collect();
-    let ys: Vec<f64> = ys.into_iter().map(up).collect();
-    let cell = ((xs[map.columns] - xs[0]) / map.columns as f64).abs().max(0.05);
-    let period = (PATTERN / cell).round().max(4.0) as usize;
+    // A large cell is cut into small ones, so that its pattern is as fine as elsewhere.
+    let [left, right, ..] = extent(map);
+    let cell = ((across(right) - across(left)) / map.columns as f64).abs().max(0.05);
+    let parts = (cell / FINE).round().max(1.0) as usize;
+    let period = (PATTERN * parts as f64 / cell).round().max(4.0) as usize;
+    let columns = map.columns * parts;
+    let xs: Vec<f64> = edges(map.x, map.columns, parts).into_iter().map(across).collect();
+    let ys: Vec<f64> = edges(map.y, rows, parts).into_iter().map(up).collect();
     let mut paths: Vec<(String, String)> = Vec::new();
-    for j in 0..rows {
-        let row = &map.classes[j * map.columns..][..map.columns];
-        let colours: Vec<&str> = (0..map.columns).map(|i| colour(row[i], i, j, period)).collect();
+    for j in 0..rows * parts {
+        let row = &map.classes[j / parts * map.columns..][..map.columns];
+        let colours: Vec<&str> = (0..columns).map(|i| colour(row[i / parts], i, j, period)).collect();
         let mut i = 0;
-        while i < map.columns {
-            let end = (i..map.columns).find(|&k| colours[k] != colours[i]).unwrap_or(map.columns);
+        while i < columns {
+            let end = (i..columns).find(|&k| colours[k] != colours[i]).unwrap_or(columns);
             let known = paths.iter().position(|(c, _)| c == colours[i]).unwrap_or_else(|| {
                 paths.push((colours[i].into(), String::new()));
                 paths.len() - 1
@@ -61,10 +66,10 @@ pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
     scene.add(Primitive::GroupEnd);
 }
 
-/// Where the cells begin and end: half a spacing on either side of their points.
-fn edges((low, high): (f64, f64), points: usize) -> Vec<f64> {
+/// Where the parts of cells begin and end; a cell goes half a spacing to either side of its point.
+fn edges((low, high): (f64, f64), points: usize, parts: usize) -> Vec<f64> {
     let spacing = if points < 2 { 1.0 } else { (high - low) / (points - 1) as f64 };
-    (0..=points).map(|k| low + (k as f64 - 0.5) * spacing).collect()
+    (0..=points * parts).map(|k| low + (k as f64 / parts as f64 - 0.5) * spacing).collect()
 }
 
 /// The ranges that the cells of a map cover.

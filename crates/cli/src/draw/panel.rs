@@ -23,14 +23,14 @@ pub fn draw(scene: &mut Scene, placed: &Placed, page: (f64, f64)) {
     let frame = placed.frame;
     let layout = layout(placed, page);
     let computed = ComputedLayout::from_layout(&layout);
-    if let Some(map) = &placed.panel.map {
-        map::draw(scene, map, placed);
-    }
     // The library draws no axes without a plot; the curves are ours.
     for primitive in render_multiple(vec![Plot::Line(LinePlot::new())], layout).elements {
         if let Some(primitive) = tidied(primitive) {
             scene.add(primitive);
         }
+    }
+    if let Some(map) = &placed.panel.map {
+        map::draw(scene, map, placed);
     }
     curves(scene, placed, &computed);
     marks(scene, placed, &computed);

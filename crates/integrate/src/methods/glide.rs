@@ -12,6 +12,8 @@ use precess_system::Shape;
 pub struct Glide<S> {
     alpha: S,
     rate: Vec<S>,
+    /// The accelerations of the positions, where they differ.
+    drift: Vec<S>,
     /// Where the velocities begin, and where the coordinate of each stands.
     velocities: usize,
     coordinates: Vec<usize>,
@@ -26,6 +28,7 @@ impl<S: Scalar> Glide<S> {
         Self {
             alpha: S::from(alpha),
             rate: vec![S::from(0.0); shape.size()],
+            drift: vec![S::from(0.0); shape.size()],
             velocities: shape.rows * shape.coordinates,
             coordinates: shape.pairs().map(|(x, _)| x).collect(),
             singles: shape.singles().collect(),
@@ -43,10 +46,11 @@ impl<S: Scalar + Send> Stepper<S> for Glide<S> {
         let (q, v) = y.split_at(self.velocities);
         let (q_out, v_out) = out.split_at_mut(self.velocities);
         let accelerations = &self.rate[self.velocities..];
-        for (((&i, v), a), v_out) in self.coordinates.iter().zip(v).zip(accelerations).zip(v_out) {
-            let kick = h * *a;
-            q_out[i] = q[i] + h * (*v + self.alpha * kick);
-            *v_out = *v + kick;
+        let as_printed = field.drift(t, y, &mut self.drift);
+        let drift = if as_printed { &self.drift[self.velocities..] } else { accelerations };
+        for (k, &i) in self.coordinates.iter().enumerate() {
+            q_out[i] = q[i] + h * (v[k] + self.alpha * (h * drift[k]));
+            v_out[k] = v[k] + h * accelerations[k];
         }
         for &i in &self.singles {
             out[i] = y[i] + h * self.rate[i];

@@ -8,11 +8,13 @@ mod euler;
 mod euler_cromer;
 mod euler_cromer_implicit;
 mod euler_taylor;
+mod exact;
 mod gauss_legendre16;
 mod gauss_legendre4;
 mod gauss_legendre6;
 mod glide;
 mod implicit_midpoint;
+mod lie_midpoint;
 mod newmark;
 mod radau5;
 mod rk4;
@@ -24,6 +26,9 @@ mod yoshida6;
 mod yoshida8;
 
 use crate::AnyMethod;
+
+/// What the lab's first page runs by.
+pub static FIRST: &[&dyn AnyMethod] = &[&dop853::Dop853];
 
 /// Every method, in the order in which a catalogue shows them.
 pub static METHODS: &[&dyn AnyMethod] = &[
@@ -37,6 +42,7 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &yoshida8::Yoshida8,
     &newmark::Newmark,
     &implicit_midpoint::ImplicitMidpoint,
+    &lie_midpoint::LieMidpoint,
     &gauss_legendre4::GaussLegendre4,
     &gauss_legendre6::GaussLegendre6,
     &gauss_legendre16::GaussLegendre16,
@@ -46,4 +52,5 @@ pub static METHODS: &[&dyn AnyMethod] = &[
     &dop853::Dop853,
     &radau5::Radau5,
     &taylor::Taylor,
+    &exact::Exact,
 ];

@@ -11,6 +11,9 @@ use std::sync::Arc;
 /// A system's equations, over every number.
 pub trait Toy: Send + Sync {
     fn rate<S: Scalar>(&self, t: S, y: &[S], dy: &mut [S]);
+    fn solution<S: Scalar>(&self, _from: S, _start: &[S], _t: S, _y: &mut [S]) {
+        panic!("this toy has no closed form");
+    }
     fn crossings<S: Scalar>(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn jump<S: Scalar>(&self, _event: usize, _t: S, _y: &mut [S]) {}
 }
@@ -26,6 +29,7 @@ pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound
     let shape = Shape {
         coordinates: second + first,
         second: (0..second).collect(),
+        attitudes: vec![],
         modes: 0,
         observables: 0,
         events,
@@ -67,6 +71,9 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
             }
         }
     }
+    fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        self.toy.solution(from, start, t, y);
+    }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
         None
@@ -85,6 +92,11 @@ impl Toy for Harmonic {
     fn rate<S: Scalar>(&self, _t: S, y: &[S], dy: &mut [S]) {
         dy[0] = y[1];
         dy[1] = -(y[0] * (self.0 * self.0));
+    }
+    fn solution<S: Scalar>(&self, from: S, start: &[S], t: S, y: &mut [S]) {
+        let (sin, cos) = ((t - from) * self.0).sin_cos();
+        y[0] = start[0] * cos + start[1] * sin / self.0;
+        y[1] = start[1] * cos - start[0] * sin * self.0;
     }
 }
 pub fn harmonic(omega: f64) -> Bound<Harmonic> {
@@ -160,9 +172,9 @@ pub fn blow_up() -> Bound<BlowUp> {
     bind(BlowUp, 1, 0, 0)
 }
 
-/// The methods that run on a toy, which has no Lagrangian.
+/// The methods that run on a toy, which has no Lagrangian and, most of them, no closed form.
 pub fn methods() -> impl Iterator<Item = &'static MethodCard> {
-    METHODS.iter().map(|m| m.card()).filter(|m| m.needs != Needs::Lagrangian)
+    METHODS.iter().map(|m| m.card()).filter(|m| ![Needs::Lagrangian, Needs::ClosedForm].contains(&m.needs))
 }
 
 pub fn method(id: &str) -> &'static dyn AnyMethod {

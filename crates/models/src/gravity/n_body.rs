@@ -5,7 +5,7 @@
 //! (P, section 9 and exercise 9.) Total energy, momentum and angular momentum stay constant. The bodies move in
 //! space as soon as a `z` is given.
 
-use super::n_body_card;
+use super::{kepler, n_body_card};
 use crate::rotation::cross;
 use precess_scalar::Scalar;
 use precess_system::{Card, Given, Layout, State, System, Values};
@@ -42,6 +42,21 @@ impl System for NBody {
             }
             _ => Ok(()),
         }
+    }
+
+    fn trouble(&self, s: &State<f64>) -> Option<String> {
+        let bodies = s.list(0).len();
+        let dimensions = s.coordinates.len() / bodies;
+        let pairs = (0..bodies).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let apart = pairs.map(|(i, j)| (separation(s.coordinates, dimensions, i, j, 0.0).1, i, j));
+        let (mut nearest, mut farthest) = ((f64::INFINITY, 0, 0), 0.0);
+        for pair in apart {
+            nearest = if pair.0 < nearest.0 { pair } else { nearest };
+            farthest = if pair.0 > farthest { pair.0 } else { farthest };
+        }
+        let (distance, i, j) = nearest;
+        let close = distance < 1e-3 * farthest || bodies == 2 && distance < 1e-6;
+        close.then(|| format!("bodies {i} and {j} collide: they are {distance:.1e} apart"))
     }
 
     #[inline(always)]
@@ -86,10 +101,29 @@ impl System for NBody {
         let spin = if dimensions == 3 { &spin[..] } else { &spin[2..] };
         let relative = s.coordinates.iter().enumerate().map(|(n, x)| *x - centre[n % dimensions] / total);
         let sums = momentum[..dimensions].iter().chain(spin).copied();
-        let rest = sums.chain([kinetic, potential]).chain(relative);
+        let orbits = n_body_card::pairs(masses.len()).flat_map(|(i, j)| kepler::elements(s, i, j));
+        let rest = sums.chain([kinetic, potential]).chain(relative).chain(orbits);
         for (place, value) in out[1..].iter_mut().zip(rest) {
             *place = value;
         }
+    }
+
+    fn solvable(&self, start: &State<f64>) -> Result<(), String> {
+        let [k, softening] = start.p();
+        match () {
+            () if start.list(0).len() != 2 => Err("only two bodies move on orbits of a closed form".into()),
+            () if softening != 0.0 => Err("two bodies have a closed form without softening only".into()),
+            () if k < 0.0 => Err("two bodies that repel one another have no closed form here".into()),
+            () if kepler::falls(start) => {
+                Err("the bodies fall straight into one another: no orbit goes on after that".into())
+            }
+            () => Ok(()),
+        }
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        kepler::two_bodies(start, t, q, v);
     }
 
     #[inline(always)]
@@ -112,7 +146,7 @@ fn separation<S: Scalar>(q: &[S], dimensions: usize, i: usize, j: usize, softeni
 }
 
 #[inline(always)]
-fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
+pub(super) fn in_space<S: Scalar>(numbers: &[S], dimensions: usize, body: usize) -> [S; 3] {
     let own = &numbers[body * dimensions..][..dimensions];
     std::array::from_fn(|axis| own.get(axis).copied().unwrap_or(S::from(0.0)))
 }

@@ -89,5 +89,37 @@ fn observables(card: Card, bodies: usize, dimensions: usize) -> Card {
             card = card.signal(&format!("{axis}g{body}"), "", &en, &fr);
         }
     }
-    card
+    pairs(bodies).fold(card, |card, (i, j)| elements(card, bodies, i, j))
+}
+
+/// More bodies than this have too many pairs to be looked at.
+const MOST_PAIRED: usize = 6;
+
+/// The pairs whose elements are observables.
+pub(super) fn pairs(bodies: usize) -> impl Iterator<Item = (usize, usize)> {
+    let few = if bodies <= MOST_PAIRED { bodies } else { 0 };
+    (0..few).flat_map(move |i| (i + 1..few).map(move |j| (i, j)))
+}
+
+/// The orbit that a pair would go on along if it were alone.
+fn elements(card: Card, bodies: usize, i: usize, j: usize) -> Card {
+    let (a, e) = (format!("a{i}{j}"), format!("e{i}{j}"));
+    let texts = [
+        format!("semi-major axis of the orbit of {i} and {j} (osculating)"),
+        format!("demi-grand axe de l'orbite de {i} et {j} (osculatrice)"),
+        format!("eccentricity of the orbit of {i} and {j} (osculating)"),
+        format!("excentricité de l'orbite de {i} et {j} (osculatrice)"),
+    ];
+    // Two bodies are always alone.
+    if bodies == 2 {
+        card.invariant_if(&a, "", &["softening"], &texts[0], &texts[1]).invariant_if(
+            &e,
+            "",
+            &["softening"],
+            &texts[2],
+            &texts[3],
+        )
+    } else {
+        card.signal(&a, "", &texts[0], &texts[1]).signal(&e, "", &texts[2], &texts[3])
+    }
 }

@@ -5,8 +5,10 @@
 //! (P, exercise 6.3.) x is the height of the car and f that of the road under its wheel, both from their means. With
 //! p = b / m and q = k / m it is the `driven_oscillator` under (k f + b f') / m.
 
+use crate::complex::Complex;
+use crate::linear;
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 use std::f64::consts::TAU;
 
 /// See the module.
@@ -39,6 +41,10 @@ impl System for CarSuspension {
             .run(60.0, 0.001)
     }
 
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some((values.numbers[4] / values.numbers[5]).abs())
+    }
+
     #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let [m] = s.p();
@@ -53,6 +59,20 @@ impl System for CarSuspension {
         out.copy_from_slice(&[energy, road, x - road, force(s)]);
     }
 
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [m, k, b, amplitude]) = (start.q(), start.v(), start.p());
+        let (time, frequency) = (t - start.t, frequency(start));
+        // k f + b f' is the imaginary part of (k + i b frequency) amplitude e^(i frequency t).
+        let force = Complex::new(k / m, b / m * frequency).scaled(amplitude);
+        let force = force.times(Complex::imaginary(frequency * start.t).exp());
+        [q[0], v[0]] = linear::driven([b / m, k / m], time, [x, x_dot], force, frequency);
+    }
+
     #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let ([x], [v], [m, k, b]) = (s.q(), s.v(), s.p());
@@ -62,11 +82,17 @@ impl System for CarSuspension {
     }
 }
 
+/// How often the waves come, as an angular frequency.
+#[inline(always)]
+fn frequency<S: Scalar>(s: &State<S>) -> S {
+    let [_m, _k, _b, _amplitude, wavelength, speed] = s.p();
+    speed / wavelength * TAU
+}
+
 /// Height of the road, and how fast it rises.
 #[inline(always)]
 fn road<S: Scalar>(s: &State<S>) -> (S, S) {
-    let [_m, _k, _b, amplitude, wavelength, speed] = s.p();
-    let frequency = speed / wavelength * TAU;
+    let ([_m, _k, _b, amplitude], frequency) = (s.p(), frequency(s));
     let (sin, cos) = (frequency * s.t).sin_cos();
     (amplitude * sin, amplitude * frequency * cos)
 }

@@ -5,8 +5,10 @@
 //! (P, exercise 6.3.) Without the drive it oscillates where p^2 < 4 q and creeps where p^2 > 4 q. Driven, it settles to
 //! the amplitude A / sqrt((q - f^2)^2 + (p f)^2), which is largest at f^2 = q - p^2 / 2: the resonance.
 
+use crate::complex::Complex;
+use crate::linear;
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -35,6 +37,10 @@ impl System for DrivenOscillator {
             .run(60.0, 0.0001)
     }
 
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[3].abs())
+    }
+
     #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let ([x], [v], [p, q]) = (s.q(), s.v(), s.p());
@@ -47,6 +53,18 @@ impl System for DrivenOscillator {
         let energy = (v.squared() + q * x.squared()) * 0.5;
         let response = ((q - frequency.squared()).squared() + (p * frequency).squared()).sqrt();
         out.copy_from_slice(&[energy, drive(s), amplitude.abs() / response]);
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [p, k, amplitude, frequency]) = (start.q(), start.v(), start.p());
+        let time = t - start.t;
+        let force = Complex::imaginary(frequency * start.t).exp().scaled(amplitude);
+        [q[0], v[0]] = linear::driven([p, k], time, [x, x_dot], force, frequency);
     }
 
     #[inline(always)]

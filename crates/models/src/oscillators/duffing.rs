@@ -5,7 +5,7 @@
 //! (G. Duffing 1918; the two wells of alpha < 0: J. Guckenheimer, P. Holmes, *Nonlinear Oscillations*, section 2.2.)
 
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -33,6 +33,10 @@ impl System for Duffing {
             .phase_view("x", "x_dot")
             .time_view(&["x"])
             .run(200.0, 0.002)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[4].abs())
     }
 
     #[inline(always)]

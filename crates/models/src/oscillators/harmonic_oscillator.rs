@@ -4,6 +4,7 @@
 //!
 //! (P, section 2.) From x0 at rest, x = x0 cos(omega t); the period 2 pi / omega does not depend on x0.
 
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -37,6 +38,16 @@ impl System for HarmonicOscillator {
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let ([x], [v], [omega]) = (s.q(), s.v(), s.p());
         out[0] = (v.squared() + (omega * x).squared()) * 0.5;
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [omega]) = (start.q(), start.v(), start.p());
+        [q[0], v[0]] = linear::free([S::from(0.0), omega * omega], t - start.t, [x, x_dot]);
     }
 
     #[inline(always)]

@@ -51,6 +51,11 @@ impl System for ParametricOscillator {
             .run(300.0, 0.001)
     }
 
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        // As two oscillators it has no clock.
+        (values.choices[0] != COUPLED).then(|| std::f64::consts::TAU / values.numbers[2].abs())
+    }
+
     fn layout(&self, values: &Values<f64>, _given: &Given) -> Layout {
         let mut layout = Layout::of(&self.card());
         if values.choices[0] == COUPLED {

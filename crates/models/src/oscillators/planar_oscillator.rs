@@ -4,6 +4,7 @@
 //!
 //! (P, exercises 1.3, 7.1 and 7.2.) Without friction it draws ellipses about their centre, with friction spirals.
 
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -48,6 +49,18 @@ impl System for PlanarOscillator {
         let ([x, y], [x_dot, y_dot], [c]) = (s.q(), s.v(), s.p());
         let energy = (x_dot.squared() + y_dot.squared() + c * (x.squared() + y.squared())) * 0.5;
         out.copy_from_slice(&[energy, x * y_dot - y * x_dot]);
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let [c, r] = start.p();
+        for i in 0..2 {
+            [q[i], v[i]] = linear::free([r, c], t - start.t, [start.coordinates[i], start.velocities[i]]);
+        }
     }
 
     #[inline(always)]

@@ -6,6 +6,8 @@
 //! hill is a saddle: U = k x^2 / 2 gives ellipses where k > 0 and hyperbolas where k < 0.
 
 use super::polynomial::value_and_slope;
+use crate::complex::Complex;
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, list, number};
 
@@ -50,6 +52,25 @@ impl System for PotentialWell {
         let (potential, _) = value_and_slope(s.list(0), x);
         let kinetic = v.squared() * 0.5;
         out.copy_from_slice(&[kinetic + potential, kinetic, potential]);
+    }
+
+    fn solvable(&self, start: &State<f64>) -> Result<(), String> {
+        let curved = start.list(0).iter().skip(3).any(|&u| u != 0.0);
+        if curved {
+            Err("it has a closed form for a potential of the second degree only".into())
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Of a potential of the second degree: a linear oscillator under a constant force.
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [b]) = (start.q(), start.v(), start.p());
+        let zero = S::from(0.0);
+        let u = |k: usize| start.list(0).get(k).copied().unwrap_or(zero);
+        let (time, oscillator) = (t - start.t, [b, u(2) * 2.0]);
+        [q[0], v[0]] = linear::driven(oscillator, time, [x, x_dot], Complex::imaginary(-u(1)), zero);
     }
 
     #[inline(always)]

@@ -5,6 +5,7 @@
 //! x is measured from the equilibrium, as in P, section 6: where gravity pulls along the spring it stretches it by
 //! m g / k, and nothing else changes. Its length is l0 + m g / k + x.
 
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -57,6 +58,16 @@ impl System for Spring {
         let energy = kinetic + k * x.squared() * 0.5;
         let elastic = k * stretch.squared() * 0.5;
         out.copy_from_slice(&[energy, kinetic, elastic, -(m * g * stretch), l0 + stretch, -(k * stretch)]);
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x], [x_dot], [m, k, b]) = (start.q(), start.v(), start.p());
+        [q[0], v[0]] = linear::free([b / m, k / m], t - start.t, [x, x_dot]);
     }
 
     #[inline(always)]

@@ -5,7 +5,7 @@
 //! (G. Baker, J. Gollub, *Chaotic Dynamics*, chapter 3: b = 1/2, omega = 2/3, f from 0.9 to 1.5.)
 
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -30,6 +30,10 @@ impl System for DrivenPendulum {
             .phase_view("theta", "theta_dot")
             .time_view(&["theta"])
             .run(200.0, 0.002)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[2].abs())
     }
 
     #[inline(always)]

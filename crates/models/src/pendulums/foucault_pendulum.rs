@@ -6,6 +6,7 @@
 //! (L. Foucault 1851; Landau, Lifshitz, *Mechanics*, section 39, problem 3.) x points east, y north; the centrifugal force
 //! is part of g. The plane of the swing turns by -rotation sin(latitude): clockwise in the north.
 
+use crate::linear;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, System, card, coordinate, number};
 
@@ -50,6 +51,26 @@ impl System for FoucaultPendulum {
     fn observe<S: Scalar>(&self, s: &State<S>, out: &mut [S]) {
         let (kinetic, potential, moment) = parts(s);
         out.copy_from_slice(&[kinetic + potential, moment]);
+    }
+
+    fn solvable(&self, _start: &State<f64>) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// In the frame that turns back with the Earth it is a planar oscillator.
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        let ([x, y], [x_dot, y_dot], [l, g]) = (start.q(), start.v(), start.p());
+        let (turn, time) = (turn(start), t - start.t);
+        let oscillator = [S::from(0.0), turn * turn + g / l];
+        let east = [x, x_dot - turn * y];
+        let north = [y, y_dot + turn * x];
+        let [x, x_dot] = linear::free(oscillator, time, east);
+        let [y, y_dot] = linear::free(oscillator, time, north);
+        let (sin, cos) = (turn * time).sin_cos();
+        let (u, w) = (x_dot + turn * y, y_dot - turn * x);
+        (q[0], q[1]) = (x * cos + y * sin, y * cos - x * sin);
+        (v[0], v[1]) = (u * cos + w * sin, w * cos - u * sin);
     }
 
     #[inline(always)]

@@ -6,7 +6,7 @@
 //! pivot is at the height a sin(alpha t). Shaken fast it stands on its head: stable where a^2 alpha^2 > 2 g l.
 
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -33,6 +33,10 @@ impl System for KapitzaPendulum {
             .time_view(&["theta"])
             .phase_view("theta", "theta_dot")
             .run(10.0, 0.0001)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[3].abs())
     }
 
     #[inline(always)]

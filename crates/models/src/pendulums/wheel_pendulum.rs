@@ -8,7 +8,7 @@
 //!   its picture and its equation differ by a quarter of a turn.
 
 use precess_scalar::Scalar;
-use precess_system::{Card, State, System, card, coordinate, number};
+use precess_system::{Card, State, System, Values, card, coordinate, number};
 
 /// See the module.
 #[derive(Clone)]
@@ -40,6 +40,10 @@ impl System for WheelPendulum {
             .time_view(&["theta"])
             .phase_view("theta", "theta_dot")
             .run(200.0, 0.0002)
+    }
+
+    fn period(&self, values: &Values<f64>) -> Option<f64> {
+        Some(std::f64::consts::TAU / values.numbers[2].abs())
     }
 
     #[inline(always)]

@@ -14,6 +14,7 @@
 //! The length of the quaternion is constant too, and stays 1 but for the error of the method. Starts may be
 //! given as Euler angles and their rates, R = Rz(psi) Rx(theta) Rz(phi).
 
+use super::poinsot::poinsot;
 use crate::attitude::{self, halves};
 use crate::rotation::{cross, dot, invariable_plane, quaternion_rate, quotient, to_space};
 use precess_scalar::Scalar;
@@ -117,6 +118,22 @@ impl System for FreeBody {
         let normal = in_space.map(|part| quotient(part, magnitude));
         out[21..24].copy_from_slice(&invariable_plane(normal, turning));
         out[24] = dot(axis, cross(omega, momentum));
+    }
+
+    fn solvable(&self, s: &State<f64>) -> Result<(), String> {
+        let [_, _, _, torque @ ..] = s.p::<6>();
+        if torque == [0.0; 3] {
+            return Ok(());
+        }
+        Err("its closed form knows no torque: set torque1, torque2 and torque3 to 0".into())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, s: &State<S>, t: S, q: &mut [S], _v: &mut [S]) {
+        let (attitude, omega) = halves(s);
+        let (attitude, omega) = poinsot(s.p(), attitude, omega, t - s.t);
+        q[..4].copy_from_slice(&attitude);
+        q[4..7].copy_from_slice(&omega);
     }
 
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {

@@ -60,6 +60,15 @@ impl System for Gyroscope {
         observe(s, out);
     }
 
+    fn solvable(&self, start: &State<f64>) -> Result<(), String> {
+        gyroscope_card::solvable(start)
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, start: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+        gyroscope_card::solution(start, t, q, v);
+    }
+
     #[inline(always)]
     fn lagrangian<S: Scalar>(&self, s: &State<S>) -> Option<S> {
         let (kinetic, potential) = energies(s);

@@ -1,6 +1,7 @@
 //! The card that the three formulations of T's simple gyroscope share, and what they observe.
 
 use super::euler_angles::{axis, omega};
+use super::lagrange::{Start, lagrange};
 use crate::rotation::dot;
 use precess_scalar::Scalar;
 use precess_system::{Card, State, Values, number};
@@ -115,4 +116,64 @@ pub(super) fn observe_at<S: Scalar>(
 pub(super) fn share_on_the_vertical(values: &Values<f64>) -> f64 {
     let [m, i1, i3, d] = *values.numbers.first_chunk().expect("the card begins with the body");
     i3 / (2.0 * (i1 + m * d * d))
+}
+
+/// Whether the motion has the closed form of [`lagrange`], in Euler angles.
+///
+/// # Errors
+/// One sentence: why not.
+pub(super) fn solvable(s: &State<f64>) -> Result<(), String> {
+    let [m, _i1, _i3, d, g, moments @ ..] = s.p::<8>();
+    if moments != [0.0; 3] {
+        return Err("its closed form knows no applied moment: set moment1, moment2 and moment3 to 0".into());
+    }
+    if m * g * d == 0.0 {
+        return Err("without weight it is a free body: free_body has that motion in closed form".into());
+    }
+    let [up, down] = barriers(&start(s));
+    if up == 0.0 || down == 0.0 {
+        return Err(
+            "its axis may pass through the vertical, where Euler angles jump: heavy_top has that motion in \
+                    closed form"
+                .into(),
+        );
+    }
+    Ok(())
+}
+
+/// (`L_Az` +- `L_A3`) / `I_A1`, which keep the axis off the vertical.
+fn barriers(start: &Start<f64>) -> [f64; 2] {
+    let momentum = start.omega[1] * start.sin;
+    [momentum + start.a * start.above, momentum - start.a * start.below]
+}
+
+#[inline(always)]
+fn start<S: Scalar>(s: &State<S>) -> Start<S> {
+    let ([_psi, theta], [m, _i1, i3, d, g]) = (s.q(), s.p());
+    let ((half_sin, half_cos), sin) = ((theta * 0.5).sin_cos(), theta.sin());
+    let (omega, [i_a1, ..]) = (omega(s), inertia(s));
+    Start {
+        above: half_cos * half_cos * 2.0,
+        below: half_sin * half_sin * 2.0,
+        sin,
+        omega,
+        beta: m * g * d * 2.0 / i_a1,
+        a: i3 * omega[2] / i_a1,
+    }
+}
+
+/// Angles and rates at time t.
+#[inline(always)]
+pub(super) fn solution<S: Scalar>(s: &State<S>, t: S, q: &mut [S], v: &mut [S]) {
+    let [psi, theta, phi] = s.q();
+    let start = start(s);
+    let now = lagrange(&start, t - s.t);
+    // Angles grow past pi where the sine is below zero.
+    let side = S::select(start.sin.lt(S::from(0.0)), S::from(-1.0), S::from(1.0));
+    let angle = |above: S, below: S| below.sqrt().atan2(above.sqrt()) * 2.0;
+    let (sin, cos) = ((now.above * now.below).sqrt(), (now.above - now.below) * 0.5);
+    let opened = angle(now.above, now.below) - angle(start.above, start.below);
+    let psi_dot = now.omega[1] / sin;
+    q.copy_from_slice(&[psi + now.psi, theta + side * opened, phi + now.phi]);
+    v.copy_from_slice(&[psi_dot, side * now.omega[0], start.omega[2] - cos * psi_dot]);
 }

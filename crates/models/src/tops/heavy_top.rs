@@ -19,8 +19,9 @@
 
 use crate::attitude::{self, halves};
 use crate::inertia::{Matrix, apply, diagonal, solve, transferred};
-use crate::rotation::{cross, dot, quaternion_rate, to_space};
+use crate::rotation::{cross, dot, euler, quaternion_rate, to_space};
 use crate::tops::gyroscope_card::{D, I1, I3, MASS};
+use crate::tops::lagrange::{Start, lagrange};
 use precess_scalar::Scalar;
 use precess_system::{
     Card, Given, Layout, ObservableKind, State, System, Values, card, choice, list, number,
@@ -191,6 +192,58 @@ impl System for HeavyTop {
         out[20..23].copy_from_slice(&gamma);
         out[23] = dot(momentum, momentum).sqrt();
         out[24] = dot(axis, cross(omega, momentum));
+    }
+
+    fn solvable(&self, s: &State<f64>) -> Result<(), String> {
+        let (inertia, centre) = body(s);
+        let [m, g] = s.p();
+        if !is_symmetric(s.values) {
+            return Err(
+                "only the symmetric heavy top has a closed form here: i1 = i2, and its centre on axis 3"
+                    .into(),
+            );
+        }
+        if m * g * centre[2] == 0.0 || inertia[0][0] != inertia[1][1] {
+            return Err("without weight it is a free body: free_body has that motion in closed form".into());
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn solution<S: Scalar>(&self, s: &State<S>, t: S, q: &mut [S], _v: &mut [S]) {
+        let ([w, x, y, z], omega) = halves(s);
+        let ([m, g], ([[i_a1, ..], _, [_, _, i3]], centre)) = (s.p(), body(s));
+        let ([[_psi, _theta, phi], _], above) = (euler([w, x, y, z], omega), (w * w + z * z) * 2.0);
+        let below = (x * x + y * y) * 2.0;
+        let (sin_phi, cos_phi) = phi.sin_cos();
+        let start = Start {
+            above,
+            below,
+            sin: (above * below).sqrt(),
+            omega: [
+                omega[0] * cos_phi - omega[1] * sin_phi,
+                omega[0] * sin_phi + omega[1] * cos_phi,
+                omega[2],
+            ],
+            beta: m * g * centre[2] * 2.0 / i_a1,
+            a: i3 * omega[2] / i_a1,
+        };
+        let now = lagrange(&start, t - s.t);
+        let (half_sum, half_difference) = (z.atan2(w), y.atan2(x));
+        let (sin_sum, cos_sum) = (half_sum + (now.psi + now.phi) * 0.5).sin_cos();
+        let (sin_difference, cos_difference) = (half_difference + (now.psi - now.phi) * 0.5).sin_cos();
+        let (cos, sin) = ((now.above * 0.5).sqrt(), (now.below * 0.5).sqrt());
+        let (sin_phi, cos_phi) = (phi + now.phi).sin_cos();
+        let [o1, o2] = now.omega;
+        q.copy_from_slice(&[
+            cos * cos_sum,
+            sin * cos_difference,
+            sin * sin_difference,
+            cos * sin_sum,
+            o1 * cos_phi + o2 * sin_phi,
+            o2 * cos_phi - o1 * sin_phi,
+            omega[2],
+        ]);
     }
 
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {

@@ -2,7 +2,7 @@
 // Each test uses a part of it.
 #![allow(dead_code)]
 
-use precess_system::{AnySystem, Field, Given, Layout, Values};
+use precess_system::{AnySystem, Default, Field, Given, Layout, Values};
 
 /// A system ready to be evaluated.
 pub struct Ready {
@@ -25,6 +25,18 @@ pub fn given(starts: &[(&str, f64)]) -> Given {
 impl Ready {
     pub fn set(&mut self, name: &str, value: f64) {
         *self.values.number_mut(&self.system.card(), name).expect("the card has this parameter") = value;
+    }
+    /// Chooses an option; the layout may be another then.
+    pub fn choose(&mut self, name: &str, option: &str) {
+        let card = self.system.card();
+        let choices = card.parameters.iter().filter_map(|p| match p.default {
+            Default::Choice(options) => Some((&p.quantity.name, options)),
+            _ => None,
+        });
+        let (k, (_, options)) =
+            choices.enumerate().find(|(_, (n, _))| *n == name).expect("the card has this choice");
+        self.values.choices[k] = options.iter().position(|o| *o == option).expect("one of the options");
+        self.layout = self.system.layout(&self.values, &Given::default());
     }
     pub fn value(&self, name: &str) -> f64 {
         self.values.number(&self.system.card(), name).expect("the card has this parameter")

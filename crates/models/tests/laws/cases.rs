@@ -73,11 +73,14 @@ fn one(system: Any, values: &Values<f64>, given: &Given, draw: &mut Draw) -> Res
     for (x, parameter) in values.numbers.iter_mut().zip(numeric) {
         *x = near(*x, parameter.quantity.range, draw);
     }
-    for x in values.lists.iter_mut().flat_map(|list| &mut list.items) {
-        *x = near(*x, Range::ANY, draw);
+    let lists = card.parameters.iter().filter(|p| matches!(p.default, Default::List { .. }));
+    for (list, _) in values.lists.iter_mut().zip(lists).filter(|(_, p)| !p.structural) {
+        for x in &mut list.items {
+            *x = near(*x, Range::ANY, draw);
+        }
     }
     let layout = system.layout(&values, given);
-    let starts = layout.state().into_iter().zip(layout.start()).map(|(quantity, start)| {
+    let starts = layout.starts().into_iter().zip(layout.start()).map(|(quantity, start)| {
         let size = 1.5 * (1.0 + start.abs());
         let low = if quantity.range.low < 0.0 { -size } else { quantity.range.low };
         (quantity.name, draw.between(low, size))

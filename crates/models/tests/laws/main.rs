@@ -5,10 +5,12 @@
 
 mod card;
 mod cases;
+mod closed_form;
 mod draw;
 mod invariants;
 mod lagrangian;
 mod parity;
+mod period;
 mod units;
 
 use precess_system::AnySystem;

@@ -70,6 +70,14 @@ fn adds_up(system: Any, case: &Case, units: &Units) -> Result<(), String> {
     if let (Some(lagrangian), Some(energy)) = (lagrangian, energy) {
         agree("the Lagrangian", lagrangian, energy)?;
     }
+    if system.solvable(&case.values, &case.layout, &case.y).is_ok() {
+        let mut end = y.clone();
+        field.solution(t, y, t, &mut end);
+        no_clash("the closed form")?;
+        for ((x, start), quantity) in end.iter().zip(y).zip(case.layout.state()) {
+            agree(&format!("{} in closed form", quantity.name), *x, start.dimension().unwrap_or_default())?;
+        }
+    }
     events_add_up(&*field, t, y, case)
 }
 

@@ -18,7 +18,7 @@ pub fn lyapunov(scenario: &Scenario, progress: Progress) -> Result<Answer, Error
     let plan = Plan::new(scenario)?;
     smooth(&plan, "a Lyapunov spectrum")?;
     forwards(&plan)?;
-    let subject = Subject::new(&plan);
+    let subject = Subject::new(&plan)?;
     let mut share = |t: f64| progress(t / plan.until);
     let flow = subject.flow(&mut share);
     let found = match precess_analysis::lyapunov(&flow, &plan.start, plan.until) {

@@ -69,7 +69,7 @@ pub(super) fn of_plan(
     forwards(plan)?;
     let cut = cut(plan, &spec.section)?;
     let direction = resolve::direction(spec.direction.as_deref().unwrap_or("either"))?;
-    let subject = Subject::new(plan);
+    let subject = Subject::new(plan)?;
     let mut share = |t: f64| progress(t / plan.until);
     let flow = subject.flow(&mut share);
     let found: Crossings = match (cut.column, cut.period) {

@@ -4,6 +4,7 @@ use crate::error::{Error, input};
 use crate::plan::Plan;
 use crate::run::pace;
 use precess_analysis::Flow;
+use precess_integrate::Needs;
 use precess_scalar::Dual;
 use precess_system::{Bind, Direction, Field};
 use std::cell::RefCell;
@@ -18,14 +19,23 @@ pub(crate) struct Subject<'a> {
 }
 
 impl<'a> Subject<'a> {
-    pub fn new(plan: &'a Plan) -> Self {
+    /// # Errors
+    /// Where the method does not take what the analyses make of a system.
+    pub fn new(plan: &'a Plan) -> Result<Self, Error> {
+        let method = plan.method.card();
+        if !matches!(method.needs, Needs::Any | Needs::Separable) {
+            return input(format!(
+                "an analysis integrates a system with its neighbours, which '{}' cannot: dop853 does",
+                method.id
+            ));
+        }
         let (system, layout) = (plan.system, &plan.layout);
-        Self {
+        Ok(Self {
             plan,
             field: Bind::<f64>::bind(system, plan.values.clone(), layout),
             tangents: Bind::<Dual<f64>>::bind(system, plan.values.map(|&x| Dual::from(x)), layout),
             directions: layout.events.iter().map(|e| e.direction).collect(),
-        }
+        })
     }
 
     /// How it moves; `progress` is told the time now and then.
@@ -71,6 +81,15 @@ pub(crate) fn period(plan: &Plan, what: &str) -> Result<f64, Error> {
         },
         Ok,
     )
+}
+
+/// The number of the state of this name, the first coordinate where none is given.
+pub(crate) fn state_number(plan: &Plan, name: Option<&str>) -> Result<usize, Error> {
+    let Some(name) = name else { return Ok(0) };
+    let state = plan.layout.state();
+    let found = state.iter().position(|q| q.name == name);
+    let names = state.iter().map(|q| q.name.as_str());
+    found.ok_or_else(|| crate::unknown(&format!("number of the state of {}", plan.card.id), name, names))
 }
 
 /// A sentence for a failure, with the advice that is its own.

@@ -9,7 +9,7 @@ use crate::value::shortest;
 use precess_system::Quantity;
 
 /// Curves of the chosen trajectories.
-pub(super) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
+pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
     let chosen = chosen(panel, shown);
     let pairs = pairs(panel, shown);
     let planes = pairs.iter().any(|(x, _)| *x != pairs[0].0);
@@ -47,6 +47,14 @@ pub(super) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
                     ink: colour,
                     ..Mark::default()
                 }));
+            }
+            #[cfg(feature = "analyses")]
+            if panel.spec.circles {
+                let circle = |(k, row): (usize, &[f64])| {
+                    crate::analyses::osculating(one.plan, row, [i, j], ink + 1 + k)
+                };
+                let rows = panel.at.iter().filter_map(|&t| one.sample(t)).enumerate();
+                drawn.curves.extend(rows.filter_map(circle));
             }
             let dots = panel.at.iter().filter_map(|&t| one.sample(t));
             let dot = |row: &[f64]| Mark { x: row[i], y: row[j], ink: Some(ink), ..Mark::default() };

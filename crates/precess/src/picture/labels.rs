@@ -27,6 +27,13 @@ pub(crate) fn readable(name: &str) -> String {
         "psi" => "ψ",
         "phi" => "φ",
         "omega" => "ω",
+        "alpha" => "α",
+        "beta" => "β",
+        "gamma" => "γ",
+        "delta" => "δ",
+        "mu" => "μ",
+        "rho" => "ρ",
+        "sigma" => "σ",
         other => other,
     };
     format!("{greek}{}{prime}", &stem[letters.len()..])

@@ -17,16 +17,28 @@ pub enum FigureKind {
     Snapshot,
     /// The potential, with a ball at each start and the level of its energy.
     Potential,
+    /// Phase portrait: levels of the energy, separatrices, fixed points, and the trajectories on it.
+    Portrait,
+    /// Amplitude or lag of the settled motion against a parameter.
+    Response,
+    /// Where the settled motion comes by, against a parameter.
+    Bifurcation,
+    /// Where the motion over two parameters is unstable.
+    Tongues,
     /// Where the motion passes through a surface.
     Poincare,
 }
 
 impl FigureKind {
     /// All of them by name.
-    pub const ALL: [(&'static str, Self); 4] = [
+    pub const ALL: [(&'static str, Self); 8] = [
         ("curves", Self::Curves),
         ("snapshot", Self::Snapshot),
         ("potential", Self::Potential),
+        ("portrait", Self::Portrait),
+        ("response", Self::Response),
+        ("bifurcation", Self::Bifurcation),
+        ("tongues", Self::Tongues),
         ("poincare", Self::Poincare),
     ];
     /// Its name.

@@ -6,6 +6,7 @@
 //! * `number` is the number the equation sees, `node` what one operation is,
 //! * `recorder` shares equal operations, `exact` and `algebra` fold what folds,
 //! * `tape` is the finished expression, `replay` runs it, `taylor` expands the solution of an equation with it,
+//! * `listing` shows it to others,
 //! * `print` asks `definitions` what deserves a name, `view`, `product` and `constant` how terms are arranged,
 //!   and `text` or `latex` (and `condition` for both) to write them.
 
@@ -15,6 +16,7 @@ mod constant;
 mod definitions;
 mod exact;
 mod latex;
+mod listing;
 mod node;
 mod number;
 mod print;
@@ -26,6 +28,7 @@ mod taylor;
 mod text;
 mod view;
 
+pub use listing::Entry;
 pub use number::Traced;
 pub use print::{Notation, Printed};
 pub use replay::Workspace;

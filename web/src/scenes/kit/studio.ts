@@ -125,7 +125,10 @@ export class Studio {
       side: DoubleSide,
       depthWrite: false,
     });
-    scene.add(new Mesh(new SphereGeometry(radius, 48, 32), material));
+    // Above a table only the upper half of it.
+    const half = this.#ground.children.length > 2;
+    const dome = new SphereGeometry(radius, 48, 32, 0, 2 * Math.PI, 0, half ? Math.PI / 2 : Math.PI);
+    scene.add(new Mesh(dome.rotateX(Math.PI / 2), material));
     for (const z of [0, 0.5, 0.866]) scene.add(ring(radius * Math.sqrt(1 - z * z), [0, 0, radius * z], ink));
   }
 

@@ -1,0 +1,92 @@
+//! `precess fit` and `precess sensitivity` as a person types them.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn precess(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_precess")).args(arguments).output().expect("the program runs")
+}
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn a_fit_finds_what_a_run_was_made_with() {
+    let (data, fitted) = (file("swing.csv"), file("fitted.toml"));
+    let (data, fitted) = (data.to_str().expect("a path"), fitted.to_str().expect("a path"));
+    let made = precess(&[
+        "run",
+        "pendulum",
+        "-i",
+        "theta=0.6",
+        "-p",
+        "l=0.8",
+        "--until",
+        "4",
+        "--every",
+        "0.1",
+        "-o",
+        data,
+    ]);
+    assert!(made.status.success(), "{}", text(&made.stderr));
+    let found = precess(&[
+        "fit",
+        "pendulum",
+        "--data",
+        data,
+        "--columns",
+        "theta",
+        "--free",
+        "theta,l",
+        "--save",
+        fitted,
+    ]);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let table = text(&found.stdout);
+    let values: Vec<f64> =
+        table.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
+    assert!((values[0] - 0.6).abs() < 1e-7 && (values[1] - 0.8).abs() < 1e-7, "{table}");
+    assert!(text(&found.stderr).contains("l = 0.8"), "{}", text(&found.stderr));
+    let again = precess(&["run", fitted, "--until", "1", "--every", "1", "-q", "-o", "-"]);
+    assert!(again.status.success(), "{}", text(&again.stderr));
+
+    let gap = file("gap.csv");
+    std::fs::write(&gap, "t,theta\n0,1\n1,\n").expect("a file");
+    for (arguments, sentence) in [
+        (vec!["--data", gap.to_str().expect("a path"), "--free", "l"], "line 3: theta is no number"),
+        (vec!["--data", data, "--columns", "thet", "--free", "l"], "did you mean 'theta'"),
+        (vec!["--data", data, "--columns", "theta", "--free", "m"], "the data do not determine m"),
+        (vec!["--data", "nowhere.csv", "--free", "l"], "cannot read 'nowhere.csv'"),
+        (vec!["--data", data, "--free", "l", "--columns", "theta", "--uncertainty", "phi=1"], "'phi'"),
+    ] {
+        let refused = precess(&[&["fit", "pendulum"], arguments.as_slice()].concat());
+        assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
+        assert!(text(&refused.stderr).contains(sentence), "{}", text(&refused.stderr));
+    }
+}
+
+#[test]
+fn a_sensitivity_is_a_table_of_derivatives() {
+    let found = precess(&[
+        "sensitivity",
+        "harmonic_oscillator",
+        "--along",
+        "x,omega",
+        "--until",
+        "1",
+        "--every",
+        "0.5",
+        "-q",
+    ]);
+    assert!(found.status.success(), "{}", text(&found.stderr));
+    let table = text(&found.stdout);
+    assert!(table.starts_with("t,x,x_dot,"), "{table}");
+    assert!(table.contains("dx_dx,dx_dot_dx,") && table.contains("dx_domega,"), "{table}");
+    assert_eq!(table.lines().count(), 4);
+    let refused = precess(&["sensitivity", "noria", "--along", "J"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("needs a motion without jumps"), "{}", text(&refused.stderr));
+}

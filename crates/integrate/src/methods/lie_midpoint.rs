@@ -1,0 +1,194 @@
+//! The midpoint rule on rotations: attitudes are turned, not added to.
+//!
+//! A unit quaternion q (body to space) is multiplied by Cayley's image of the body's turn, all other numbers x take the midpoint
+//! rule, and the rates are the average of those at both attitudes:
+//!
+//!     q1 = q0 (1, h Omega / 2) / |...|      x1 = x0 + h X      x_m = (x0 + x1) / 2
+//!     (Omega, X) = (f(q0, x_m) + f(q1, x_m)) / 2         Omega = 2 q* q', the angular velocity in body axes
+//!
+//! With I omega' = I omega x omega + AG x (-m g gamma), gamma = R^T k, this keeps exactly: |q|; the angular momentum in space where
+//! there is no weight, since `I (omega1 - omega0) = h I omega_m x omega_m` is the same turn; and for a heavy top energy and
+//! `L_Az`, since `gamma1 - gamma0 = h (gamma0 + gamma1)/2 x omega_m` and the average of both weights is that of their mean. Symmetric, of
+//! order 2. Without an attitude in the state it is the implicit midpoint rule. (J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng.
+//! 31, 19, 1991; E. Hairer, Ch. Lubich, G. Wanner, *Geometric Numerical Integration*, VII.5.)
+
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper};
+use precess_scalar::Scalar;
+use precess_system::Shape;
+
+/// See the module.
+pub struct LieMidpoint;
+
+static CARD: MethodCard = MethodCard {
+    id: "lie_midpoint",
+    title: ("Midpoint on rotations", "Point milieu sur les rotations"),
+    about: (
+        "Turns attitudes instead of adding to them: a rigid body keeps its energy and its angular momentum to rounding, \
+         however long it spins.",
+        "Tourne les orientations au lieu de les additionner : un solide garde son énergie et son moment cinétique aux \
+         arrondis près, aussi longtemps qu'il tourne.",
+    ),
+    order: 2,
+    kind: Kind::Fixed,
+    needs: Needs::Any,
+    symplectic: true,
+    reversible: true,
+    source: "J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng. 31, 19 (1991)",
+    options: &[OptionCard {
+        name: "epsilon",
+        default: 1e-12,
+        low: 1e-15,
+        high: 1.0,
+        text: (
+            "where the loop may end, relative to the state",
+            "fin possible de la boucle, relative à l'état",
+        ),
+    }],
+};
+
+/// A fixed point that converges at all is there long before.
+const MOST_ITERATIONS: u32 = 200;
+/// This far below the tolerance a change is no longer looked at.
+const FAR_BELOW: f64 = 1e-4;
+
+impl Method for LieMidpoint {
+    fn card(&self) -> &'static MethodCard {
+        &CARD
+    }
+    type Steps<S: Scalar + Send> = Steps<S>;
+
+    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+        let zeros = vec![S::from(0.0); shape.size()];
+        let attitudes = (0..shape.rows).flat_map(|row| {
+            let places = shape.attitudes.iter().map(move |&i| shape.place(row, i));
+            places.collect::<Vec<_>>()
+        });
+        let attitudes: Vec<usize> = attitudes.collect();
+        let turns = |i: &usize| attitudes.iter().any(|first| (*first..first + 4).contains(i));
+        Steps {
+            plain: (0..shape.size()).filter(|i| !turns(i)).collect(),
+            attitudes,
+            states: [zeros.clone(), zeros.clone()],
+            rates: [zeros.clone(), zeros.clone()],
+            next: zeros,
+            moving: vec![S::always(); shape.rows],
+            change: vec![S::from(0.0); shape.rows],
+            before: vec![S::from(0.0); shape.rows],
+            size: vec![S::from(0.0); shape.rows],
+            row: shape.row_of_each(),
+            epsilon: options.epsilon,
+            evaluations: 0,
+        }
+    }
+}
+
+/// What a step needs besides the state.
+pub struct Steps<S: Scalar> {
+    /// Where an attitude begins, and all numbers that are part of none.
+    attitudes: Vec<usize>,
+    plain: Vec<usize>,
+    /// The middle with the first attitude and with the last, and the rates there.
+    states: [Vec<S>; 2],
+    rates: [Vec<S>; 2],
+    /// The next iterate.
+    next: Vec<S>,
+    /// What has not yet come to rest, a mask a row. A lane that rests is frozen, so that its bits do not depend on
+    /// its neighbours.
+    moving: Vec<S::Mask>,
+    /// Squares of the last change, of the one before, and of the state, a sum a row.
+    change: Vec<S>,
+    before: Vec<S>,
+    size: Vec<S>,
+    row: Vec<usize>,
+    epsilon: f64,
+    evaluations: u64,
+}
+
+/// The product of two quaternions.
+#[inline(always)]
+fn product<S: Scalar>([a, b, c, d]: [S; 4], [w, x, y, z]: [S; 4]) -> [S; 4] {
+    [
+        a * w - b * x - c * y - d * z,
+        a * x + b * w + c * z - d * y,
+        a * y - b * z + c * w + d * x,
+        a * z + b * y - c * x + d * w,
+    ]
+}
+
+#[inline(always)]
+fn conjugate<S: Scalar>([w, x, y, z]: [S; 4]) -> [S; 4] {
+    [w, -x, -y, -z]
+}
+
+/// The four numbers from `k` on.
+#[inline(always)]
+fn four<S: Scalar>(numbers: &[S], k: usize) -> [S; 4] {
+    [numbers[k], numbers[k + 1], numbers[k + 2], numbers[k + 3]]
+}
+
+impl<S: Scalar> Steps<S> {
+    /// The next iterate from the last one.
+    #[inline(always)]
+    fn iterate(&mut self, step: &Step<S>) {
+        let (y, h) = (step.y, step.h);
+        for (state, attitude) in self.states.iter_mut().zip([y, &*step.out]) {
+            state.copy_from_slice(attitude);
+            for &i in &self.plain {
+                state[i] = (y[i] + step.out[i]) * 0.5;
+            }
+        }
+        for (state, rate) in self.states.iter().zip(&mut self.rates) {
+            step.field.rate(step.t + h * 0.5, state, rate);
+            self.evaluations += 1;
+        }
+        let [first, last] = &self.rates;
+        for &i in &self.plain {
+            self.next[i] = y[i] + h * ((first[i] + last[i]) * 0.5);
+        }
+        for &k in &self.attitudes {
+            let (q0, q1) = (four(y, k), four(step.out, k));
+            let (a, b) = (product(conjugate(q0), four(first, k)), product(conjugate(q1), four(last, k)));
+            let half = |i: usize| h * 0.5 * (a[i] + b[i]);
+            let turned = product(q0, [S::from(1.0), half(1), half(2), half(3)]);
+            let square = turned.iter().fold(S::from(0.0), |sum, part| sum + part.squared());
+            let length = square.sqrt();
+            self.next[k..k + 4].copy_from_slice(&turned.map(|part| part / length));
+        }
+    }
+}
+
+impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+    #[inline(always)]
+    fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
+        step.out.copy_from_slice(step.y);
+        self.moving.fill(S::always());
+        self.before.fill(S::from(f64::INFINITY));
+        self.size.fill(S::from(1.0));
+        for (x, &row) in step.y.iter().zip(&self.row) {
+            self.size[row] = self.size[row] + x.squared();
+        }
+        for _ in 0..MOST_ITERATIONS {
+            self.iterate(step);
+            self.change.fill(S::from(0.0));
+            for ((old, new), &row) in step.out.iter_mut().zip(&self.next).zip(&self.row) {
+                self.change[row] = self.change[row] + (*new - *old).squared();
+                *old = S::select(self.moving[row], *new, *old);
+            }
+            let mut rest = true;
+            for row in 0..self.moving.len() {
+                let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
+                let stays = self.before[row].le(change) & change.le(size);
+                self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
+                rest &= S::all(!self.moving[row]);
+                self.before[row] = change;
+            }
+            if rest {
+                return Ok(());
+            }
+        }
+        Err(NoConvergence { iterations: MOST_ITERATIONS })
+    }
+    fn evaluations(&self) -> u64 {
+        self.evaluations
+    }
+}
