@@ -44,6 +44,8 @@ pub enum Verb {
     Lyapunov(Analysis),
     /// Finds where a motion passes through a surface (Poincaré section)
     Poincare(Poincare),
+    /// Runs the [ensemble] of a scenario: many members, reduced as they come, with a checkpoint
+    Ensemble(Ensemble),
     /// Basins of attraction: where each start of a grid ends, decided only by proof
     Basins(Basins),
     /// Draws the phase portrait: energy levels, separatrices, and the fixed points with their kinds
@@ -198,6 +200,20 @@ pub struct Poincare {
     /// Quantity up the picture
     #[arg(long, value_name = "NAME")]
     pub y: Option<String>,
+}
+
+/// An ensemble.
+#[derive(Args)]
+pub struct Ensemble {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// Prints the SHA-256 of all rows
+    #[arg(long)]
+    pub hash: bool,
+    /// Goes on where the work is very large
+    #[arg(long)]
+    pub yes: bool,
 }
 
 /// Basins of attraction.

@@ -7,6 +7,7 @@ mod bench;
 mod body;
 mod compare;
 mod draw;
+mod ensemble;
 mod failure;
 mod gallery;
 mod lab;
@@ -35,6 +36,7 @@ fn main() -> ExitCode {
         Verb::Compare(arguments) => compare::compare(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
+        Verb::Ensemble(arguments) => ensemble::ensemble(&arguments),
         Verb::Basins(arguments) => basins::basins(&arguments),
         Verb::Portrait(arguments) => analyse::portrait(&arguments),
         Verb::Response(arguments) => analyse::response(&arguments),

@@ -44,7 +44,7 @@ impl Tableau {
             errors: values(&[self.error, self.second_error]),
             extra_stages: values(self.extra_stages),
             dense: values(self.dense),
-            k: vec![zeros.clone(); stages],
+            k: vec![S::from(0.0); stages * zeros.len()],
             state: zeros,
             first_known: false,
             evaluations: 0,
@@ -67,18 +67,54 @@ pub struct Steps<S> {
     errors: Values<S>,
     extra_stages: Values<S>,
     dense: Values<S>,
-    /// Rates at the stages, then at the end, then at the extra stages.
-    k: Vec<Vec<S>>,
+    /// Rates at the stages, then at the end, then at the extra stages: one state after another.
+    k: Vec<S>,
     state: Vec<S>,
     first_known: bool,
     evaluations: u64,
 }
 
-/// The sum of stages, component by component, in the order of the row.
+/// The sums of stages, each in the order of the row: `take` is given a component and its sum.
 #[inline(always)]
-fn combine<S: Scalar>(row: &[(usize, S)], k: &[Vec<S>], i: usize) -> S {
-    let Some((&(first, c), terms)) = row.split_first() else { return S::from(0.0) };
-    terms.iter().fold(k[first][i] * c, |sum, &(j, c)| sum + k[j][i] * c)
+fn combine<S: Scalar>(row: &[(usize, S)], k: &[S], size: usize, mut take: impl FnMut(usize, S)) {
+    let mut i = 0;
+    while i + 4 <= size {
+        together::<S, 4>(row, k, size, i, &mut take);
+        i += 4;
+    }
+    if i + 2 <= size {
+        together::<S, 2>(row, k, size, i, &mut take);
+        i += 2;
+    }
+    if i < size {
+        together::<S, 1>(row, k, size, i, &mut take);
+    }
+}
+
+/// The sums of a few components: they stay in registers, and a processor adds one while it waits for another.
+#[inline(always)]
+fn together<S: Scalar, const N: usize>(
+    row: &[(usize, S)],
+    k: &[S],
+    size: usize,
+    i: usize,
+    take: &mut impl FnMut(usize, S),
+) {
+    let rates = |stage: usize| &k[stage * size + i..][..N];
+    let mut sums = [S::from(0.0); N];
+    if let Some((&(first, c), terms)) = row.split_first() {
+        for (sum, k) in sums.iter_mut().zip(rates(first)) {
+            *sum = *k * c;
+        }
+        for &(stage, c) in terms {
+            for (sum, k) in sums.iter_mut().zip(rates(stage)) {
+                *sum = *sum + *k * c;
+            }
+        }
+    }
+    for (n, sum) in sums.into_iter().enumerate() {
+        take(i + n, sum);
+    }
 }
 
 impl<S: Scalar> Steps<S> {
@@ -87,25 +123,29 @@ impl<S: Scalar> Steps<S> {
         self.stages.len() + 1
     }
 
+    /// The rates of a stage.
+    fn rates(&mut self, stage: usize) -> &mut [S] {
+        let size = self.state.len();
+        &mut self.k[stage * size..][..size]
+    }
+
     /// Evaluates a stage from its row: its state lies along the stages before.
     #[inline(always)]
     fn stage(&mut self, field: &dyn Field<S>, t: S, y: &[S], h: S, extra: bool, n: usize) {
         let (row, stage) =
             if extra { (&self.extra_stages[n], self.stages.len() + 2 + n) } else { (&self.stages[n], n + 1) };
-        for (i, state) in self.state.iter_mut().enumerate() {
-            *state = y[i] + h * combine(row, &self.k, i);
-        }
-        field.rate(t + h * self.nodes[stage], &self.state, &mut self.k[stage]);
+        let (size, state) = (self.state.len(), &mut self.state[..]);
+        combine(row, &self.k, size, |i, sum| state[i] = y[i] + h * sum);
+        field.rate(t + h * self.nodes[stage], state, &mut self.k[stage * size..][..size]);
         self.evaluations += 1;
     }
 
     /// Weighted root mean square of an error row, over one step of unit length.
     #[inline(always)]
     fn estimate(&mut self, which: usize, weights: &[S]) -> S {
-        for (i, state) in self.state.iter_mut().enumerate() {
-            *state = combine(&self.errors[which], &self.k, i);
-        }
-        norm(&self.state, weights)
+        let (size, state) = (self.state.len(), &mut self.state[..]);
+        combine(&self.errors[which], &self.k, size, |i, sum| state[i] = sum);
+        norm(state, weights)
     }
 }
 
@@ -114,18 +154,16 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;
         if !self.first_known {
-            field.rate(t, y, &mut self.k[0]);
+            field.rate(t, y, self.rates(0));
             self.evaluations += 1;
             self.first_known = true;
         }
         for n in 0..self.stages.len() {
             self.stage(field, t, y, h, false, n);
         }
-        for (i, out) in out.iter_mut().enumerate() {
-            *out = y[i] + h * combine(&self.weights[0], &self.k, i);
-        }
+        combine(&self.weights[0], &self.k, y.len(), |i, sum| out[i] = y[i] + h * sum);
         let last = self.last();
-        field.rate(t + h, out, &mut self.k[last]);
+        field.rate(t + h, out, self.rates(last));
         self.evaluations += 1;
         Ok(())
     }
@@ -149,22 +187,23 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
         for n in 0..self.extra_stages.len() {
             self.stage(field, t, y, h, true, n);
         }
-        let mut dense = Dense::hermite(t, h, y, end, &self.k[0], &self.k[self.last()]);
+        let size = y.len();
+        let (first, last) = (&self.k[..size], &self.k[self.last() * size..][..size]);
+        let mut dense = Dense::hermite(t, h, y, end, first, last);
         for row in &self.dense {
-            dense.push((0..y.len()).map(|i| h * combine(row, &self.k, i)).collect());
+            let mut term = end.to_vec();
+            combine(row, &self.k, size, |i, sum| term[i] = h * sum);
+            dense.push(term);
         }
         dense
     }
 
     #[inline(always)]
     fn accept(&mut self, accepted: S::Mask) {
-        let last = self.last();
-        if S::all(accepted) {
-            self.k.swap(0, last);
-            return;
-        }
-        for i in 0..self.state.len() {
-            self.k[0][i] = S::select(accepted, self.k[last][i], self.k[0][i]);
+        let (size, last) = (self.state.len(), self.last());
+        let (first, rest) = self.k.split_at_mut(last * size);
+        for (first, end) in first.iter_mut().zip(&rest[..size]) {
+            *first = S::select(accepted, *end, *first);
         }
     }
 

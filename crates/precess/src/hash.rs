@@ -17,14 +17,25 @@ pub fn hash(trajectory: &Trajectory) -> String {
     hash_numbers(trajectory.rows().flat_map(|row| row[..width].iter().copied()))
 }
 
+/// SHA-256 of numbers as they come: little-endian f64, every NaN the canonical one.
+#[derive(Default)]
+pub(crate) struct Hasher(Sha256);
+
+impl Hasher {
+    pub fn add(&mut self, x: f64) {
+        let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };
+        self.0.update(x.to_le_bytes());
+    }
+    pub fn hex(self) -> String {
+        hex(self.0.finalize())
+    }
+}
+
 /// SHA-256 of numbers as little-endian f64, every NaN the canonical one.
 pub fn hash_numbers(numbers: impl Iterator<Item = f64>) -> String {
-    let mut sha = Sha256::new();
-    for x in numbers {
-        let x = if x.is_nan() { f64::from_bits(0x7ff8_0000_0000_0000) } else { x };
-        sha.update(x.to_le_bytes());
-    }
-    hex(sha.finalize())
+    let mut hasher = Hasher::default();
+    numbers.for_each(|x| hasher.add(x));
+    hasher.hex()
 }
 
 /// SHA-256 of a text.

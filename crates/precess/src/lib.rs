@@ -31,6 +31,7 @@ mod run;
 mod satellites;
 mod scenario;
 pub mod scenarios;
+pub mod survey;
 pub mod value;
 mod workers;
 
@@ -48,7 +49,9 @@ pub use page::page;
 pub use picture::picture;
 pub use plan::{PanelPlan, Plan, Step, Watch};
 pub use run::{Outcome, Provenance, columns, run};
-pub use scenario::{EventSpec, FamilySpec, FigureKind, FigureSpec, Scenario, Words};
+pub use scenario::{
+    EnsembleSpec, EventSpec, FamilySpec, FigureKind, FigureSpec, Kept, Scenario, Source, Words,
+};
 pub use workers::Workers;
 
 pub use precess_integrate as integrate;

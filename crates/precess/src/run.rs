@@ -50,6 +50,11 @@ impl<'a> Runner<'a> {
         Self { plan, field: Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout) }
     }
 
+    /// The system, bound.
+    pub fn field(&self) -> &dyn Field<f64> {
+        self.field.as_ref()
+    }
+
     /// Drives it from a full state.
     pub fn drive(
         &self,

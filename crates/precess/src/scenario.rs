@@ -1,10 +1,12 @@
 //! A scenario: what to run, as a person writes it. `docs/scenarios.md` describes the file.
 
 mod body;
+mod ensemble;
 mod family;
 mod figure;
 mod reading;
 
+pub use ensemble::{EnsembleSpec, Kept, Source};
 pub use family::FamilySpec;
 pub(crate) use figure::STROKES;
 pub use figure::{FigureKind, FigureSpec};
@@ -36,6 +38,8 @@ pub struct Scenario {
     pub events: Vec<EventSpec>,
     /// Name of the run in the legends of its pictures.
     pub label: String,
+    /// Many members, which `precess ensemble` runs.
+    pub ensemble: Option<EnsembleSpec>,
     /// More trajectories in the same pictures.
     pub families: Vec<FamilySpec>,
     /// Panels of the picture; the card's views where there are none.
@@ -75,9 +79,9 @@ const WHOLE: bool = !crate::catalogue::FIRST;
 const FORMAT: &str = "1";
 
 /// What stands at the top of a file.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 14] = [
     "precess", "title", "title_fr", "note", "note_fr", "source", "label", "system", "start", "run", "event",
-    "family", "figure",
+    "family", "figure", "ensemble",
 ];
 
 impl Scenario {
@@ -118,6 +122,9 @@ impl Scenario {
                 "start" => scenario.start = values(text, as_table(value).map_err(at)?)?,
                 "run" => scenario.read_run(text, as_table(value).map_err(at)?)?,
                 "event" if WHOLE => scenario.events = tables(value, EventSpec::read).map_err(at)?,
+                "ensemble" if WHOLE => {
+                    scenario.ensemble = Some(as_table(value).and_then(EnsembleSpec::read).map_err(at)?);
+                }
                 "family" if WHOLE => scenario.families = tables(value, FamilySpec::read).map_err(at)?,
                 "figure" if WHOLE => scenario.figures = tables(value, FigureSpec::read).map_err(at)?,
                 other => {

@@ -81,7 +81,10 @@ impl Basins {
             }
             _ => vec![],
         };
-        let unit = |axis: Option<&Axis>| place(axis).map(|i| state[i].unit.clone());
+        let coordinates = &state[..self.plan.layout.coordinates.len()];
+        let unit = |axis: Option<&Axis>| {
+            coordinates.iter().find(|q| axis.is_some_and(|a| a.name == q.name)).map(|q| q.unit.clone())
+        };
         let panel = Panel {
             x_label: x.map_or(String::new(), quantity),
             y_label: y.map_or(String::new(), quantity),
