@@ -49,7 +49,8 @@ def to_sympy(system: str | Path | System | Scenario) -> dict[str, Any]:
         else:
             rates[name] = found[place]
     assert set(rates) == set(state), card.id  # noqa: S101
-    return {name: rates[name] for name in state}
+    # One over a length that vanishes, in a branch that is not taken then: SymPy's name for it cannot be printed as code.
+    return {name: rates[name].xreplace({sp.zoo: sp.nan}) for name in state}
 
 
 def _operation(sp: Any, name: str, a: list[Any], number: float) -> Any:

@@ -85,19 +85,21 @@ pub(crate) fn omega_from_rates<S: Scalar>(
 /// come by `atan2` alone. Where the axis is vertical one of the two has no meaning and rests at zero.
 #[inline(always)]
 pub(crate) fn euler<S: Scalar>([w, x, y, z]: Quaternion<S>, omega: Vector<S>) -> [Vector<S>; 2] {
-    let [w_dot, x_dot, y_dot, z_dot] = quaternion_rate([w, x, y, z], omega);
+    let zero = S::from(0.0);
     let (upright, tilted) = (w * w + z * z, x * x + y * y);
     let (half_sum, half_difference) = (z.atan2(w), y.atan2(x));
-    let half_sum_dot = quotient(w * z_dot - z * w_dot, upright);
-    let half_difference_dot = quotient(x * y_dot - y * x_dot, tilted);
     let theta = tilted.sqrt().atan2(upright.sqrt()) * 2.0;
     let phi = half_sum - half_difference;
     let (sin_phi, cos_phi) = phi.sin_cos();
     let theta_dot = omega[0] * cos_phi - omega[1] * sin_phi;
-    [
-        [half_sum + half_difference, theta, phi],
-        [half_sum_dot + half_difference_dot, theta_dot, half_sum_dot - half_difference_dot],
-    ]
+    // The rates of (w, z) and (x, y), less the halves of omega_3 in them, which would cancel in psi_dot.
+    let across = omega[0] * (x * z - w * y) + omega[1] * (w * x + y * z);
+    let (sum_rate, difference_rate) = (quotient(across, upright), quotient(across, tilted));
+    let up = S::select(tilted.le(zero), omega[2], zero);
+    let down = S::select(upright.le(zero), omega[2], zero);
+    let psi_dot = (sum_rate + difference_rate + up - down) * 0.5;
+    let phi_dot = omega[2] + (sum_rate - difference_rate - up - down) * 0.5;
+    [[half_sum + half_difference, theta, phi], [psi_dot, theta_dot, phi_dot]]
 }
 
 /// `v` in axes whose third is the unit vector `normal` (from above; or its opposite, from below, where it points down):

@@ -7,9 +7,7 @@ mod shown;
 mod views;
 
 pub(crate) use curves::curves;
-#[cfg(feature = "analyses")]
-pub(crate) use labels::axis;
-pub(crate) use labels::{readable, subtitle};
+pub(crate) use labels::{axis, readable, subtitle};
 pub(crate) use shown::Shown;
 
 use crate::canonical::scenario_toml;

@@ -75,7 +75,7 @@ impl<'a> Runner<'a> {
             directions: &directions,
             watches: &watches,
         };
-        drive(&job, record, progress)
+        explained(plan, drive(&job, record, progress))
     }
 }
 
@@ -94,7 +94,7 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
             field.observe(t, y, out);
         }
         trajectory.numbers = numbers;
-        report
+        explained(plan, report)
     } else {
         let mut record = |t: f64, y: &[f64]| {
             field.observe(t, y, &mut observed);
@@ -104,7 +104,6 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
         };
         runner.drive(&plan.start, &mut record, progress)
     };
-    let failure = report.failure.clone().map(|f| explained(plan, f, report.end, &report.state));
     trajectory.events = report
         .events
         .into_iter()
@@ -129,16 +128,20 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
             evaluations: report.evaluations,
         },
         stopped_by: report.stopped_by.map(|k| plan.watches[k].name.clone()),
-        failure,
+        failure: report.failure,
     }
 }
 
 /// A failure in the words of the system, where it knows what happened.
-fn explained(plan: &Plan, failure: Failure, t: f64, y: &[f64]) -> Failure {
-    let lost =
-        matches!(failure, Failure::Diverged { .. } | Failure::StepTooSmall { .. } | Failure::TooSlow { .. });
-    let trouble = if lost { plan.system.trouble(&plan.values, &plan.layout, t, y) } else { None };
-    trouble.map_or(failure, |what| Failure::Trouble { t, what })
+fn explained(plan: &Plan, mut report: Report) -> Report {
+    let lost = matches!(
+        report.failure,
+        Some(Failure::Diverged { .. } | Failure::StepTooSmall { .. } | Failure::TooSlow { .. })
+    );
+    if lost && let Some(what) = plan.system.trouble(&plan.values, &plan.layout, report.end, &report.state) {
+        report.failure = Some(Failure::Trouble { t: report.end, what });
+    }
+    report
 }
 
 /// Cyclic angles and resting modes stay out of the error norm: nothing depends on an angle that no equation holds.

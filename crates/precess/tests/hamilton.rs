@@ -1,7 +1,8 @@
 //! The method that works in momenta, on Hamiltonians that are not separable.
 
 use precess::scalar::Scalar;
-use precess::{Plan, Scenario, run, value::Value};
+use precess::value::{Value, parse};
+use precess::{Plan, Scenario, run};
 use std::ops::ControlFlow;
 
 fn plan(system: &str, method: &str, start: &[(&str, f64)], dt: f64, until: f64) -> Plan {
@@ -94,19 +95,24 @@ fn the_energy_of_the_cone_stays_where_it_was() {
 
 #[test]
 fn friction_and_a_missing_lagrangian_are_refused() {
-    let refusal = |system: &str, parameters: &[(&str, f64)], method: &str| {
+    let refusal = |system: &str, parameters: &[(&str, &str)], method: &str| {
         let mut scenario = Scenario::of(system);
         scenario.method = Some(method.into());
         scenario.parameters =
-            parameters.iter().map(|(name, x)| ((*name).into(), Value::number(*x))).collect();
+            parameters.iter().map(|(name, x)| ((*name).into(), parse(x).expect("a value"))).collect();
         Plan::new(&scenario).err().map(|e| e.to_string()).unwrap_or_default()
     };
     let implicit = "euler_cromer_implicit";
-    assert!(refusal("pendulum", &[("b", 0.1)], implicit).contains("forces that are all in the Lagrangian"));
+    assert!(refusal("pendulum", &[("b", "0.1")], implicit).contains("forces that are all in the Lagrangian"));
     assert!(refusal("lorenz", &[], implicit).contains("lorenz has none"));
     assert_eq!(refusal("pendulum", &[], implicit), "");
-    assert!(refusal("pendulum", &[("dry", 0.1)], "taylor").contains("contain a sign"));
-    assert_eq!(refusal("pendulum", &[("b", 0.1)], "taylor"), "");
+    assert!(
+        refusal("tippe_top", &[("friction", "drilling"), ("spot", "1e-3")], "taylor")
+            .contains("contain an absolute value")
+    );
+    // Its sign is that of the motion since the last event.
+    assert_eq!(refusal("pendulum", &[("dry", "0.1")], "taylor"), "");
+    assert_eq!(refusal("pendulum", &[("b", "0.1")], "taylor"), "");
 }
 
 /// Recorded equations hold their parameters as literals.

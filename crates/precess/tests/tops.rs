@@ -270,6 +270,13 @@ fn closed_forms_and_simulations_agree() {
         1e-9,
     );
     columns("heavy_top", &[("-theta", "0"), ("-phi_dot", "400")], &attitude, 1e-10);
+    // From the vertical to any side, with and without spin; from below; upside down.
+    let aside = [("-omega1", "-2"), ("-omega2", "3"), ("-qw", "0.6"), ("-qx", "0"), ("-qz", "0.8")];
+    columns("heavy_top", &[&aside[..], &[("-omega3", "60")]].concat(), &attitude, 1e-9);
+    columns("heavy_top", &[&aside[..], &[("-omega3", "0")]].concat(), &attitude, 1e-9);
+    let below = [("-omega1", "-20"), ("-omega2", "30"), ("-qw", "0"), ("-qx", "0.6"), ("-qy", "0.8")];
+    columns("heavy_top", &[&below[..], &[("-omega3", "0")]].concat(), &attitude, 1e-9);
+    columns("heavy_top", &[&below[..], &[("-omega3", "9"), ("g", "-9.81")]].concat(), &attitude, 1e-9);
     columns("free_body", &[], &attitude, 1e-11);
     columns("free_body", &[("-omega1", "0.01"), ("-omega2", "4"), ("-omega3", "0.01")], &attitude, 1e-9);
     columns("free_body", &[("i1", "3"), ("i2", "1"), ("i3", "2.5"), ("-omega3", "-2")], &attitude, 1e-11);

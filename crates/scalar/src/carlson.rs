@@ -1,7 +1,9 @@
 //! Elliptic integrals in Carlson's symmetric forms, by duplication.
 //!
-//!     RF(x, y, z)    = 1/2 int_0^inf dt / sqrt((t + x)(t + y)(t + z))
-//!     RJ(x, y, z, p) = 3/2 int_0^inf dt / ((t + p) sqrt((t + x)(t + y)(t + z)))
+//! ```text
+//! RF(x, y, z)    = 1/2 int_0^inf dt / sqrt((t + x)(t + y)(t + z))
+//! RJ(x, y, z, p) = 3/2 int_0^inf dt / ((t + p) sqrt((t + x)(t + y)(t + z)))
+//! ```
 //!
 //! Each step takes lambda = sqrt(xy) + sqrt(xz) + sqrt(yz), adds it to all arguments and divides by 4: they come together, by a
 //! factor of 4 a step, and a series ends it. (B. C. Carlson, Numer. Algorithms 10, 13, 1995; DLMF, sections 19.26 and 19.36.)

@@ -3,7 +3,9 @@
 //! With a = 1, b = k' and both means taken again and again, a and b meet in pi / (2 K), and each step back from there is
 //! Gauss's transformation. It is written for the ratio of cn to sn, as in Bulirsch's algorithm (Numer. Math. 7, 78, 1965):
 //!
-//!     c = a cn / sn:    c_(n-1) = c_n dn_n,     dn_(n-1) = (b_(n-1) + c_n^2 / a_n) / (a_(n-1) + c_n^2 / a_n)
+//! ```text
+//! c = a cn / sn:    c_(n-1) = c_n dn_n,     dn_(n-1) = (b_(n-1) + c_n^2 / a_n) / (a_(n-1) + c_n^2 / a_n)
+//! ```
 //!
 //! Nothing is subtracted, so cn and dn keep all their digits where they vanish, also when k is nearly 1.
 

@@ -3,8 +3,10 @@
 //! A unit quaternion q (body to space) is multiplied by Cayley's image of the body's turn, all other numbers x take the midpoint
 //! rule, and the rates are the average of those at both attitudes:
 //!
-//!     q1 = q0 (1, h Omega / 2) / |...|      x1 = x0 + h X      x_m = (x0 + x1) / 2
-//!     (Omega, X) = (f(q0, x_m) + f(q1, x_m)) / 2         Omega = 2 q* q', the angular velocity in body axes
+//! ```text
+//! q1 = q0 (1, h Omega / 2) / |...|      x1 = x0 + h X      x_m = (x0 + x1) / 2
+//! (Omega, X) = (f(q0, x_m) + f(q1, x_m)) / 2         Omega = 2 q* q', the angular velocity in body axes
+//! ```
 //!
 //! With I omega' = I omega x omega + AG x (-m g gamma), gamma = R^T k, this keeps exactly: |q|; the angular momentum in space where
 //! there is no weight, since `I (omega1 - omega0) = h I omega_m x omega_m` is the same turn; and for a heavy top energy and
@@ -12,7 +14,8 @@
 //! order 2. Without an attitude in the state it is the implicit midpoint rule. (J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng.
 //! 31, 19, 1991; E. Hairer, Ch. Lubich, G. Wanner, *Geometric Numerical Integration*, VII.5.)
 
-use crate::{Kind, Method, MethodCard, Needs, NoConvergence, OptionCard, Options, Step, Stepper};
+use super::fixed_point::{EPSILON, MOST_ITERATIONS};
+use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
 use precess_system::Shape;
 
@@ -34,20 +37,9 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng. 31, 19 (1991)",
-    options: &[OptionCard {
-        name: "epsilon",
-        default: 1e-12,
-        low: 1e-15,
-        high: 1.0,
-        text: (
-            "where the loop may end, relative to the state",
-            "fin possible de la boucle, relative à l'état",
-        ),
-    }],
+    options: &[EPSILON],
 };
 
-/// A fixed point that converges at all is there long before.
-const MOST_ITERATIONS: u32 = 200;
 /// This far below the tolerance a change is no longer looked at.
 const FAR_BELOW: f64 = 1e-4;
 
@@ -73,7 +65,7 @@ impl Method for LieMidpoint {
             next: zeros,
             moving: vec![S::always(); shape.rows],
             change: vec![S::from(0.0); shape.rows],
-            before: vec![S::from(0.0); shape.rows],
+            before: [(); 2].map(|()| vec![S::from(0.0); shape.rows]),
             size: vec![S::from(0.0); shape.rows],
             row: shape.row_of_each(),
             epsilon: options.epsilon,
@@ -95,9 +87,10 @@ pub struct Steps<S: Scalar> {
     /// What has not yet come to rest, a mask a row. A lane that rests is frozen, so that its bits do not depend on
     /// its neighbours.
     moving: Vec<S::Mask>,
-    /// Squares of the last change, of the one before, and of the state, a sum a row.
+    /// The last change, the two before, and the square of the state, a row each. Places follow velocities, so changes get
+    /// smaller every second time.
     change: Vec<S>,
-    before: Vec<S>,
+    before: [Vec<S>; 2],
     size: Vec<S>,
     row: Vec<usize>,
     epsilon: f64,
@@ -162,7 +155,7 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         step.out.copy_from_slice(step.y);
         self.moving.fill(S::always());
-        self.before.fill(S::from(f64::INFINITY));
+        self.before.iter_mut().for_each(|before| before.fill(S::from(f64::INFINITY)));
         self.size.fill(S::from(1.0));
         for (x, &row) in step.y.iter().zip(&self.row) {
             self.size[row] = self.size[row] + x.squared();
@@ -177,10 +170,11 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
             let mut rest = true;
             for row in 0..self.moving.len() {
                 let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
-                let stays = self.before[row].le(change) & change.le(size);
+                let [last, older] = &mut self.before;
+                let stays = older[row].le(change) & change.le(size);
                 self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
                 rest &= S::all(!self.moving[row]);
-                self.before[row] = change;
+                older[row] = std::mem::replace(&mut last[row], change);
             }
             if rest {
                 return Ok(());

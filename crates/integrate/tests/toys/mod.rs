@@ -72,7 +72,16 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
         }
     }
     fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
-        self.toy.solution(from, start, t, y);
+        let full = self.shape.full();
+        let shape = self.shape.with_rows(y.len() / full);
+        for row in 0..shape.rows {
+            let own: Vec<S> = (0..full).map(|j| start[shape.place(row, j)]).collect();
+            let mut then = own.clone();
+            self.toy.solution(from, &own, t, &mut then);
+            for (j, x) in then.into_iter().enumerate() {
+                y[shape.place(row, j)] = x;
+            }
+        }
     }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {

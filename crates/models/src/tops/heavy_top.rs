@@ -19,7 +19,7 @@
 
 use crate::attitude::{self, halves};
 use crate::inertia::{Matrix, apply, diagonal, solve, transferred};
-use crate::rotation::{cross, dot, euler, quaternion_rate, to_space};
+use crate::rotation::{cross, dot, quaternion_rate, to_space};
 use crate::tops::gyroscope_card::{D, I1, I3, MASS};
 use crate::tops::lagrange::{Start, lagrange};
 use precess_scalar::Scalar;
@@ -213,8 +213,15 @@ impl System for HeavyTop {
     fn solution<S: Scalar>(&self, s: &State<S>, t: S, q: &mut [S], _v: &mut [S]) {
         let ([w, x, y, z], omega) = halves(s);
         let ([m, g], ([[i_a1, ..], _, [_, _, i3]], centre)) = (s.p(), body(s));
-        let ([[_psi, _theta, phi], _], above) = (euler([w, x, y, z], omega), (w * w + z * z) * 2.0);
-        let below = (x * x + y * y) * 2.0;
+        let zero = S::from(0.0);
+        let (above, below) = ((w * w + z * z) * 2.0, (x * x + y * y) * 2.0);
+        let (half_sum, half_difference) = (z.atan2(w), y.atan2(x));
+        // On the vertical one of the two is free: theta' is then all of the angular velocity across.
+        let leaving = S::select(above.le(zero), S::from(-1.0), S::from(1.0));
+        let free = (-(omega[1] * leaving)).atan2(omega[0] * leaving);
+        let phi = S::select(above.le(zero) | below.le(zero), free, half_sum - half_difference);
+        let half_difference = S::select(below.le(zero), half_sum - phi, half_difference);
+        let half_sum = S::select(above.le(zero), half_difference + phi, half_sum);
         let (sin_phi, cos_phi) = phi.sin_cos();
         let start = Start {
             above,
@@ -229,7 +236,6 @@ impl System for HeavyTop {
             a: i3 * omega[2] / i_a1,
         };
         let now = lagrange(&start, t - s.t);
-        let (half_sum, half_difference) = (z.atan2(w), y.atan2(x));
         let (sin_sum, cos_sum) = (half_sum + (now.psi + now.phi) * 0.5).sin_cos();
         let (sin_difference, cos_difference) = (half_difference + (now.psi - now.phi) * 0.5).sin_cos();
         let (cos, sin) = ((now.above * 0.5).sqrt(), (now.below * 0.5).sqrt());

@@ -14,6 +14,7 @@
 use super::phase::Phase;
 use crate::rotation::quotient;
 use precess_scalar::Scalar;
+use std::f64::consts::PI;
 
 /// The start, by what is regular on the vertical.
 pub(super) struct Start<S> {
@@ -22,7 +23,7 @@ pub(super) struct Start<S> {
     pub below: S,
     /// sin theta, of either sign.
     pub sin: S,
-    /// theta', psi' sin theta, and the spin.
+    /// theta', psi' sin theta, and the spin. On the vertical theta' tells where the axis leaves, and psi' sin theta is zero.
     pub omega: [S; 3],
     /// 2 m g d / I and i3 omega3 / I.
     pub beta: S,
@@ -88,7 +89,7 @@ pub(super) fn lagrange<S: Scalar>(start: &Start<S>, time: S) -> Now<S> {
     let (top, high, beyond) = (above + x2, below - x1, x3 - below);
     let low = quotient(plus * plus, beta * top * (above + x3));
     let gap = below - x2;
-    let gap = S::select(gap.lt(beyond), minus * minus / (beta * high * beyond), gap);
+    let gap = S::select(gap.lt(beyond), quotient(minus * minus, beta * high * beyond), gap);
     let [(was_above, was_below), (now_above, now_below)] =
         [&before, &after].map(|phase| (low + span * phase.sn.squared(), gap + span * phase.cn.squared()));
     // The integral of 1 / (1 +- u) from the start on: its values at the lower turn, the other turn, the start, and now.
@@ -101,10 +102,16 @@ pub(super) fn lagrange<S: Scalar>(start: &Start<S>, time: S) -> Now<S> {
     let over_below = integral([high, gap, was_below, now_below], -span);
     let over_above_now = S::select(turned, over_below, over_above);
     let over_below_now = S::select(turned, over_above, over_below);
-    // What multiplies them; where it vanishes the vertical is no barrier.
+    // What multiplies them. Where it vanishes the vertical is no barrier: the axis passes through, and both angles jump.
     let (up, down) = ((momentum + start.a * start.above) * 0.5, (momentum - start.a * start.below) * 0.5);
-    let share = |factor: S, integral: S| S::select(factor.abs().le(zero), zero, factor * integral);
-    let (up_part, down_part) = (share(up, over_above_now), share(down, over_below_now));
+    let through_low = S::select(low.le(zero), after.lower_turns() - before.lower_turns(), zero);
+    let through_high = S::select(gap.le(zero), after.upper_turns() - before.upper_turns(), zero);
+    let through_up = S::select(turned, through_high, through_low);
+    let through_down = S::select(turned, through_low, through_high);
+    let share =
+        |factor: S, integral: S, times: S| S::select(factor.abs().le(zero), times * PI, factor * integral);
+    let up_part = share(up, over_above_now, through_up);
+    let down_part = share(down, over_below_now, through_down);
 
     let sin = (now_above * now_below).sqrt();
     let rate = span * kappa * after.sn * after.cn * after.dn * 2.0 * side;

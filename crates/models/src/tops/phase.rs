@@ -50,6 +50,20 @@ impl<S: Scalar> Phase<S> {
         self.turns * PI + self.rest.atan2(self.cn.abs())
     }
 
+    /// How many lower turns (multiples of 2 K) lie behind, since zero or ahead of it.
+    #[inline(always)]
+    pub fn lower_turns(&self) -> S {
+        let (zero, one) = (S::from(0.0), S::from(1.0));
+        self.turns - S::select(self.rest.lt(zero), one, zero)
+    }
+
+    /// How many upper turns (odd multiples of K) do; one where a start stands on it.
+    #[inline(always)]
+    pub fn upper_turns(&self) -> S {
+        let (zero, one) = (S::from(0.0), S::from(1.0));
+        self.turns + S::select(self.cn.abs().le(zero), one, zero)
+    }
+
     /// Three times what the integral of `1 / (1 - n sn^2)` exceeds u by, over n, from `here = 1 - n sn^2` and `far = 1 - n`.
     #[inline(always)]
     pub fn third(&self, here: S, far: S, complement: S) -> S {

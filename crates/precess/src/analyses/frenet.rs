@@ -1,6 +1,8 @@
 //! The frames that move along a plane path: Frenet's, tangent and normal, and the polar one (P, section 9).
 //!
-//!     a = v' T + v^2 / R N        a = (r'' - r theta'^2) R + (2 r' theta' + r theta'') S
+//! ```text
+//! a = v' T + v^2 / R N        a = (r'' - r theta'^2) R + (2 r' theta' + r theta'') S
+//! ```
 //!
 //! Velocity and acceleration of any two quantities come from the equations: a state of dual numbers moves with its rate,
 //! and the second derivative of an observable is the slope of its slope.
