@@ -162,5 +162,5 @@ fn routh<S: Scalar>(seen: &Seen<S>) -> S {
 #[inline(always)]
 pub(super) fn height<S: Scalar>(seen: &Seen<S>) -> [S; 2] {
     let touch = &seen.touch;
-    [-dot(touch.gamma, touch.r), -dot(cross(touch.r, touch.gamma), seen.omega)]
+    [-dot(touch.gamma, touch.r), -dot(cross(touch.core, touch.gamma), seen.omega)]
 }

@@ -40,7 +40,7 @@ impl System for Roller {
         let rolling = roll(&seen.body, &seen.touch, seen.omega, seen.gravity(), seen.torque);
         let force = seen.on_table(rolling.force);
         let velocity = cross(seen.touch.r, seen.omega);
-        let arm = cross(seen.touch.r, seen.touch.gamma);
+        let arm = cross(seen.touch.core, seen.touch.gamma);
         let [height, rise] = height(&seen);
         let found = Found {
             place: [s.coordinates[7], s.coordinates[8]],
