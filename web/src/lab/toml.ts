@@ -16,8 +16,13 @@ export function scenarioOf(text: string): Scenario {
   const reader = new Reader(text);
   while (reader.skip()) {
     if (reader.take("[[")) {
-      rest.push(reader.section());
+      rest.push(reader.section("[["));
     } else if (reader.take("[")) {
+      if (!reader.isAt(/(?:system|system\.parameters|start|run)\s*\]/y)) {
+        // A body written out, an ensemble: passed on as it stands.
+        rest.push(reader.section("["));
+        continue;
+      }
       table = descend(root, reader.path());
       reader.expect("]");
     } else {
@@ -124,10 +129,16 @@ class Reader {
     if (this.#match(/[ \t]*(?:#[^\n]*)?(?:\r?\n|$)/y) === undefined) throw new Unread("end of line");
   }
 
-  /** An array table as it stands, up to the next table. */
-  section(): string {
+  /** Whether a pattern matches here. */
+  isAt(pattern: RegExp): boolean {
+    pattern.lastIndex = this.#at;
+    return pattern.test(this.#text);
+  }
+
+  /** The lines up to the next table, after what opened this one. */
+  section(opening: string): string {
     const lines = /[^\n]*(?:\n(?![ \t]*\[)[^\n]*)*/y;
-    return `[[${this.#match(lines) ?? ""}`.trim();
+    return `${opening}${this.#match(lines) ?? ""}`.trim();
   }
 
   path(): string[] {
@@ -149,7 +160,11 @@ class Reader {
     if (this.take("[")) return this.#list(depth);
     if (this.take("{")) return this.#table(depth);
     const number = this.#match(/[+-]?\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][+-]?\d+)?(?![\w:.-])/y);
-    if (number === undefined) throw new Unread("value");
+    if (number === undefined) {
+      const truth = this.#match(/(?:true|false)(?![\w:.-])/y);
+      if (truth === undefined) throw new Unread("value");
+      return truth;
+    }
     return number.replaceAll("_", "");
   }
 
