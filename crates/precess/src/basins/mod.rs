@@ -1,8 +1,8 @@
 //! Basins of attraction: where each start of a grid ends, and only what is proved.
 //!
 //! Where the energy sinks, a motion has been decided as soon as its energy is below the lowest pass of the well that it is
-//! in ([`wells`]). Elsewhere it has when it enters a neighbourhood of a fixed point or a cycle that nothing leaves
-//! ([`traps`]). What is neither by the end is undecided. Attractors are found: minima by descending, fixed points and
+//! in (`wells.rs`). Elsewhere it has when it enters a neighbourhood of a fixed point or a cycle that nothing leaves
+//! (`traps.rs`). What is neither by the end is undecided. Attractors are found: minima by descending, fixed points and
 //! cycles by Newton's method from where motions end.
 
 mod chase;
