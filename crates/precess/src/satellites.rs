@@ -1,6 +1,7 @@
 //! Parts of a system that move nothing else (the asteroids of `cluster`), computed side by side in lanes and threads: each
 //! with the rest of the system, in blocks, with the bits that all have together.
 
+use crate::catalogue;
 use crate::ensemble::ensemble;
 use crate::members::Keep;
 use crate::plan::{Plan, Step};
@@ -18,6 +19,10 @@ const TOGETHER: usize = 512;
 
 /// The parts of a plan's system, where they can be computed one by one.
 pub(crate) fn of(plan: &Plan) -> Option<Satellites> {
+    if catalogue::FIRST {
+        // Neither is there such a system, nor are lanes and threads in the program.
+        return None;
+    }
     let fits = matches!(plan.step, Step::Fixed(_)) && EXPLICIT.contains(&plan.method.card().id);
     let satellites = plan.system.satellites(&plan.values)?;
     let parts = plan.layout.coordinates.len() - satellites.rest;
@@ -47,34 +52,46 @@ pub(crate) fn run(
     let first: Vec<f64> = start(0).collect();
     let alone = Plan { values: one.clone(), layout, structure, start: first.clone(), ..plan.clone() };
 
-    let mut rows = vec![];
+    // The start is all that every part has come to where the work ends early.
+    let interrupted = |report| {
+        let mut row = vec![0.0; width];
+        row[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
+        Some((Report { failure: Some(Failure::Interrupted { t: 0.0 }), ..report }, row))
+    };
     let mut times = vec![];
-    let report =
-        Runner::new(&alone).drive(&first, &mut |t, _| times.push(t), &mut |_| ControlFlow::Continue(()));
-    if report.failure.is_some() {
-        return None;
+    let mut share = |t| progress(t / parts as f64);
+    let report = Runner::new(&alone).drive(&first, &mut |t, _| times.push(t), &mut share);
+    match report.failure {
+        None => {}
+        Some(Failure::Interrupted { .. }) => return interrupted(report),
+        Some(_) => return None,
     }
-    rows.resize(times.len() * width, f64::NAN);
+    let mut rows = vec![f64::NAN; times.len() * width];
     for (row, t) in rows.chunks_mut(width).zip(&times) {
         row[0] = *t;
     }
     for from in (0..parts).step_by(TOGETHER) {
         let some = from..(from + TOGETHER).min(parts);
         let starts: Vec<f64> = some.clone().flat_map(start).collect();
-        let members =
-            ensemble(&alone, &starts, Keep::Samples, workers, &mut |_| ControlFlow::Continue(())).ok()?;
+        let mut ended = false;
+        let mut look = |done| {
+            let answer = progress(plan.until * (from + done) as f64 / parts as f64);
+            ended |= answer.is_break();
+            answer
+        };
+        let members = ensemble(&alone, &starts, Keep::Samples, workers, &mut look).ok()?;
+        if ended {
+            return interrupted(report);
+        }
         if !members.failures.is_empty() {
             return None;
         }
-        for (k, part) in some.clone().enumerate() {
+        for (k, part) in some.enumerate() {
             for (row, state) in rows.chunks_mut(width).zip(members.member(k).chunks(2 * small)) {
                 for (j, x) in state.iter().enumerate() {
                     row[1 + place(part, j)] = *x;
                 }
             }
-        }
-        if progress(plan.until * some.end as f64 / parts as f64).is_break() {
-            return Some((Report { failure: Some(Failure::Interrupted { t: 0.0 }), ..report }, vec![]));
         }
     }
     Some((report, rows))

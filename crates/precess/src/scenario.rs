@@ -72,7 +72,7 @@ pub struct EventSpec {
     pub stop: bool,
 }
 
-/// The small core of the lab's first page neither watches nor draws.
+/// The small core of the lab's first page neither watches nor draws, and works no body out.
 const WHOLE: bool = !crate::catalogue::FIRST;
 
 /// The newest format that is understood.
@@ -155,7 +155,7 @@ impl Scenario {
             match key.get_ref().as_ref() {
                 "id" => self.system = word(value).map_err(at)?,
                 "parameters" => self.parameters = values(text, as_table(value).map_err(at)?)?,
-                "body" => body = Some(as_table(value).map_err(at)?),
+                "body" if WHOLE => body = Some(as_table(value).map_err(at)?),
                 other => return Err(at(unknown("key", other, ["id", "parameters", "body"]).at("[system]"))),
             }
         }

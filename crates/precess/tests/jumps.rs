@@ -180,6 +180,21 @@ fn two_bodies_keep_their_osculating_elements() {
     assert!(drift(&orbit, "a01") < 1e-8 && drift(&orbit, "e01") < 1e-8);
 }
 
+#[test]
+fn an_interrupted_cluster_keeps_its_start() {
+    let plan = Plan::new(&scenario("cluster", &[("--method", "rk4"), ("--dt", "0.01")])).expect("a plan");
+    let mut looks = 0;
+    let outcome = run(&plan, &mut |_| {
+        looks += 1;
+        if looks < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert_eq!(looks, 3, "nothing is asked after the end");
+    assert!(matches!(outcome.failure, Some(Failure::Interrupted { .. })), "{:?}", outcome.failure);
+    let rows: Vec<_> = outcome.trajectory.rows().collect();
+    assert_eq!(rows.len(), 1);
+    assert_eq!(rows[0][1..=plan.start.len()], plan.start[..]);
+}
+
 /// The asteroids run in lanes and threads, part by part: the bits are those of all together.
 #[test]
 fn a_cluster_by_parts_has_the_bits_of_the_whole() {

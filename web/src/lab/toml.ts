@@ -6,6 +6,9 @@ import type { Scenario } from "./scenario";
 /** What is not understood here; the core may still understand it. */
 export class Unread extends Error {}
 
+/** The tables that become fields. */
+const OWN = new Set(["system", "system.parameters", "start", "run"]);
+
 type Value = string | Value[] | Map<string, Value>;
 
 /** Reads a scenario file. */
@@ -18,13 +21,12 @@ export function scenarioOf(text: string): Scenario {
     if (reader.take("[[")) {
       rest.push(reader.section("[["));
     } else if (reader.take("[")) {
-      if (!reader.isAt(/(?:system|system\.parameters|start|run)\s*\]/y)) {
-        // A body written out, an ensemble: passed on as it stands.
-        rest.push(reader.section("["));
-        continue;
-      }
-      table = descend(root, reader.path());
+      const path = reader.path();
       reader.expect("]");
+      const name = path.join(".");
+      // Others are passed on as they stand: a body written out, an ensemble.
+      if (OWN.has(name)) table = descend(root, path);
+      else rest.push(reader.section(`[${name}]`));
     } else {
       const path = reader.path();
       const name = path.pop() ?? "";
@@ -129,12 +131,6 @@ class Reader {
     if (this.#match(/[ \t]*(?:#[^\n]*)?(?:\r?\n|$)/y) === undefined) throw new Unread("end of line");
   }
 
-  /** Whether a pattern matches here. */
-  isAt(pattern: RegExp): boolean {
-    pattern.lastIndex = this.#at;
-    return pattern.test(this.#text);
-  }
-
   /** The lines up to the next table, after what opened this one. */
   section(opening: string): string {
     const lines = /[^\n]*(?:\n(?![ \t]*\[)[^\n]*)*/y;
@@ -159,13 +155,9 @@ class Reader {
     if (next === '"' || next === "'") return this.#string();
     if (this.take("[")) return this.#list(depth);
     if (this.take("{")) return this.#table(depth);
-    const number = this.#match(/[+-]?\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][+-]?\d+)?(?![\w:.-])/y);
-    if (number === undefined) {
-      const truth = this.#match(/(?:true|false)(?![\w:.-])/y);
-      if (truth === undefined) throw new Unread("value");
-      return truth;
-    }
-    return number.replaceAll("_", "");
+    const plain = this.#match(/(?:true|false|[+-]?\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][+-]?\d+)?)(?![\w:.-])/y);
+    if (plain === undefined) throw new Unread("value");
+    return plain.replaceAll("_", "");
   }
 
   #string(): string {

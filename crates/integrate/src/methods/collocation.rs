@@ -9,20 +9,11 @@
 //! comes closer, far below the tolerance. The a follow from c and b in double-double, by Legendre's series of the
 //! stages' polynomials. With many stages a step adds little to much, so that sum carries what its rounding leaves out.
 
-use super::fixed_point::{self, MOST_ITERATIONS};
+use super::fixed_point::{MOST_ITERATIONS, Settling};
 use crate::coefficient::Coefficient;
-use crate::{NoConvergence, OptionCard, Step, Stepper};
+use crate::{NoConvergence, Step, Stepper};
 use precess_scalar::{DoubleDouble, Scalar};
 use precess_system::Shape;
-
-/// This far below the tolerance a change is no longer looked at.
-const FAR_BELOW: f64 = 1e-4;
-
-/// The loop goes on below its end, as long as it comes closer.
-pub(crate) const EPSILON: OptionCard = OptionCard {
-    text: ("where the loop may end, relative to the state", "fin possible de la boucle, relative à l'état"),
-    ..fixed_point::EPSILON
-};
 
 /// Times and weights of the first half of the stages; the middle one belongs to it.
 pub(crate) type Half = &'static [(Coefficient, Coefficient)];
@@ -42,14 +33,7 @@ pub struct Collocation<S: Scalar> {
     new: Vec<S>,
     /// What rounding has left out of the state at the start, and at the end.
     carry: Option<[Vec<S>; 2]>,
-    /// A lane that rests is frozen, so that its bits do not depend on its neighbours; a mask a row.
-    moving: Vec<S::Mask>,
-    /// Squares of the last change, of the one before, and of the state, a sum a row.
-    change: Vec<S>,
-    before: Vec<S>,
-    size: Vec<S>,
-    row: Vec<usize>,
-    epsilon: f64,
+    settling: Settling<S, 1>,
     evaluations: u64,
 }
 
@@ -98,12 +82,7 @@ impl<S: Scalar> Collocation<S> {
             rates: vec![zeros.clone(); stages],
             carry: compensated.then(|| [zeros.clone(), zeros.clone()]),
             new: zeros,
-            moving: vec![S::always(); shape.rows],
-            change: vec![S::from(0.0); shape.rows],
-            before: vec![S::from(0.0); shape.rows],
-            size: vec![S::from(0.0); shape.rows],
-            row: shape.row_of_each(),
-            epsilon,
+            settling: Settling::new(shape, epsilon),
             evaluations: 0,
         }
     }
@@ -127,18 +106,16 @@ impl<S: Scalar> Collocation<S> {
         }
     }
 
-    /// The stages' rates from their states: how far they move goes into `change`.
+    /// The stages' rates from their states: how far they move is watched.
     #[inline(always)]
     fn evaluate(&mut self, step: &Step<S>) {
-        self.change.fill(S::from(0.0));
+        self.settling.iterate();
         for ((state, rate), (c, _)) in self.states.iter().zip(&mut self.rates).zip(&self.nodes) {
             step.field.rate(step.t + step.h * *c, state, &mut self.new);
             self.evaluations += 1;
             for &i in &self.plain {
-                let row = self.row[i];
-                let moved = step.h * (self.new[i] - rate[i]);
-                self.change[row] = self.change[row] + moved.squared();
-                rate[i] = S::select(self.moving[row], self.new[i], rate[i]);
+                let moving = self.settling.change(i, step.h * (self.new[i] - rate[i]));
+                rate[i] = S::select(moving, self.new[i], rate[i]);
             }
         }
     }
@@ -160,24 +137,11 @@ impl<S: Scalar + Send> Stepper<S> for Collocation<S> {
         for rate in &mut self.rates {
             rate.copy_from_slice(&self.new);
         }
-        self.moving.fill(S::always());
-        self.before.fill(S::from(f64::INFINITY));
-        self.size.fill(S::from(1.0));
-        for (x, &row) in y.iter().zip(&self.row) {
-            self.size[row] = self.size[row] + x.squared();
-        }
+        self.settling.begin(y);
         for _ in 0..MOST_ITERATIONS {
             self.place(y, h);
             self.evaluate(step);
-            let mut rest = true;
-            for row in 0..self.moving.len() {
-                let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
-                let stays = self.before[row].le(change) & change.le(size);
-                self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
-                rest &= S::all(!self.moving[row]);
-                self.before[row] = change;
-            }
-            if rest {
+            if self.settling.rests() {
                 self.finish(y, h, step.out);
                 return Ok(());
             }

@@ -1,9 +1,14 @@
 //! What the methods that solve a step by a loop have in common.
 
 use crate::OptionCard;
+use precess_scalar::Scalar;
+use precess_system::Shape;
 
 /// A fixed point that converges at all is there long before.
 pub(super) const MOST_ITERATIONS: u32 = 200;
+
+/// This far below the tolerance a change is no longer looked at.
+pub(super) const FAR_BELOW: f64 = 1e-4;
 
 /// The option that ends the loop.
 pub(super) const EPSILON: OptionCard = OptionCard {
@@ -13,3 +18,79 @@ pub(super) const EPSILON: OptionCard = OptionCard {
     high: 1.0,
     text: ("where the loop ends, relative to the state", "fin de la boucle, relative à l'état"),
 };
+
+/// The same option where the loop goes on below its end, as long as it comes closer.
+pub(super) const EPSILON_AT_LEAST: OptionCard = OptionCard {
+    text: ("where the loop may end, relative to the state", "fin possible de la boucle, relative à l'état"),
+    ..EPSILON
+};
+
+/// Watches a loop come to rest, row by row: below the tolerance, and no closer than it was `BACK` times ago.
+pub(super) struct Settling<S: Scalar, const BACK: usize> {
+    /// A lane that rests is frozen, so that its bits do not depend on its neighbours; a mask a row.
+    moving: Vec<S::Mask>,
+    /// The square of the last change, the changes before, the latest first, and the square of the state; each a row.
+    change: Vec<S>,
+    before: [Vec<S>; BACK],
+    size: Vec<S>,
+    row: Vec<usize>,
+    epsilon: f64,
+}
+
+impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
+    pub fn new(shape: &Shape, epsilon: f64) -> Self {
+        let zeros = vec![S::from(0.0); shape.rows];
+        Self {
+            moving: vec![S::always(); shape.rows],
+            change: zeros.clone(),
+            before: [(); BACK].map(|()| zeros.clone()),
+            size: zeros,
+            row: shape.row_of_each(),
+            epsilon,
+        }
+    }
+
+    /// A step begins at a state.
+    #[inline(always)]
+    pub fn begin(&mut self, y: &[S]) {
+        self.moving.fill(S::always());
+        for before in &mut self.before {
+            before.fill(S::from(f64::INFINITY));
+        }
+        self.size.fill(S::from(1.0));
+        for (x, &row) in y.iter().zip(&self.row) {
+            self.size[row] = self.size[row] + x.squared();
+        }
+    }
+
+    /// An iteration begins.
+    #[inline(always)]
+    pub fn iterate(&mut self) {
+        self.change.fill(S::from(0.0));
+    }
+
+    /// The number at place `i` has changed by so much; whether it still moves.
+    #[inline(always)]
+    pub fn change(&mut self, i: usize, by: S) -> S::Mask {
+        let row = self.row[i];
+        self.change[row] = self.change[row] + by.squared();
+        self.moving[row]
+    }
+
+    /// The iteration ends; whether everything rests.
+    #[inline(always)]
+    pub fn rests(&mut self) -> bool {
+        let mut rest = true;
+        for row in 0..self.moving.len() {
+            let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
+            let stays = self.before[BACK - 1][row].le(change) & change.le(size);
+            self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
+            rest &= S::all(!self.moving[row]);
+            let mut newest = change;
+            for before in &mut self.before {
+                newest = std::mem::replace(&mut before[row], newest);
+            }
+        }
+        rest
+    }
+}

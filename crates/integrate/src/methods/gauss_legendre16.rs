@@ -4,7 +4,8 @@
 //! error lies at the rounding of the numbers, and the sum of the steps carries what its own rounding leaves out, so that over
 //! millions of steps the error of the energy wanders rather than grows.
 
-use super::collocation::{Collocation, EPSILON, Half};
+use super::collocation::{Collocation, Half};
+use super::fixed_point::EPSILON_AT_LEAST;
 use crate::coefficient::decimal;
 use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
@@ -26,7 +27,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.3",
-    options: &[EPSILON],
+    options: &[EPSILON_AT_LEAST],
 };
 
 /// Times and weights of the first half of the stages.

@@ -1,6 +1,7 @@
 //! Gauss's collocation with two stages: order 4 (J. C. Butcher, Math. Comp. 18, 50, 1964).
 
-use super::collocation::{Collocation, EPSILON, Half};
+use super::collocation::{Collocation, Half};
+use super::fixed_point::EPSILON_AT_LEAST;
 use crate::coefficient::{decimal, ratio};
 use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
@@ -22,7 +23,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "J. C. Butcher, Math. Comp. 18, 50 (1964)",
-    options: &[EPSILON],
+    options: &[EPSILON_AT_LEAST],
 };
 
 /// Times and weights of the first half of the stages.

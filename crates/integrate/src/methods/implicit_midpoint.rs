@@ -2,7 +2,8 @@
 //!
 //!     y1 = y + h f(t + h/2, (y + y1) / 2)
 
-use super::collocation::{Collocation, EPSILON, Half};
+use super::collocation::{Collocation, Half};
+use super::fixed_point::EPSILON_AT_LEAST;
 use crate::coefficient::ratio;
 use crate::{Kind, Method, MethodCard, Needs, Options};
 use precess_scalar::Scalar;
@@ -24,7 +25,7 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "Hairer, Lubich, Wanner, Geometric Numerical Integration (2006), II.1.3",
-    options: &[EPSILON],
+    options: &[EPSILON_AT_LEAST],
 };
 
 /// Times and weights of the first half of the stages.

@@ -14,7 +14,7 @@
 //! order 2. Without an attitude in the state it is the implicit midpoint rule. (J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng.
 //! 31, 19, 1991; E. Hairer, Ch. Lubich, G. Wanner, *Geometric Numerical Integration*, VII.5.)
 
-use super::fixed_point::{EPSILON, MOST_ITERATIONS};
+use super::fixed_point::{EPSILON_AT_LEAST, MOST_ITERATIONS, Settling};
 use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
 use precess_system::Shape;
@@ -37,11 +37,8 @@ static CARD: MethodCard = MethodCard {
     symplectic: true,
     reversible: true,
     source: "J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng. 31, 19 (1991)",
-    options: &[EPSILON],
+    options: &[EPSILON_AT_LEAST],
 };
-
-/// This far below the tolerance a change is no longer looked at.
-const FAR_BELOW: f64 = 1e-4;
 
 impl Method for LieMidpoint {
     fn card(&self) -> &'static MethodCard {
@@ -63,12 +60,7 @@ impl Method for LieMidpoint {
             states: [zeros.clone(), zeros.clone()],
             rates: [zeros.clone(), zeros.clone()],
             next: zeros,
-            moving: vec![S::always(); shape.rows],
-            change: vec![S::from(0.0); shape.rows],
-            before: [(); 2].map(|()| vec![S::from(0.0); shape.rows]),
-            size: vec![S::from(0.0); shape.rows],
-            row: shape.row_of_each(),
-            epsilon: options.epsilon,
+            settling: Settling::new(shape, options.epsilon),
             evaluations: 0,
         }
     }
@@ -84,16 +76,8 @@ pub struct Steps<S: Scalar> {
     rates: [Vec<S>; 2],
     /// The next iterate.
     next: Vec<S>,
-    /// What has not yet come to rest, a mask a row. A lane that rests is frozen, so that its bits do not depend on
-    /// its neighbours.
-    moving: Vec<S::Mask>,
-    /// The last change, the two before, and the square of the state, a row each. Places follow velocities, so changes get
-    /// smaller every second time.
-    change: Vec<S>,
-    before: [Vec<S>; 2],
-    size: Vec<S>,
-    row: Vec<usize>,
-    epsilon: f64,
+    /// Places follow velocities, so changes get smaller every second time.
+    settling: Settling<S, 2>,
     evaluations: u64,
 }
 
@@ -154,29 +138,15 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         step.out.copy_from_slice(step.y);
-        self.moving.fill(S::always());
-        self.before.iter_mut().for_each(|before| before.fill(S::from(f64::INFINITY)));
-        self.size.fill(S::from(1.0));
-        for (x, &row) in step.y.iter().zip(&self.row) {
-            self.size[row] = self.size[row] + x.squared();
-        }
+        self.settling.begin(step.y);
         for _ in 0..MOST_ITERATIONS {
             self.iterate(step);
-            self.change.fill(S::from(0.0));
-            for ((old, new), &row) in step.out.iter_mut().zip(&self.next).zip(&self.row) {
-                self.change[row] = self.change[row] + (*new - *old).squared();
-                *old = S::select(self.moving[row], *new, *old);
+            self.settling.iterate();
+            for (i, (old, new)) in step.out.iter_mut().zip(&self.next).enumerate() {
+                let moving = self.settling.change(i, *new - *old);
+                *old = S::select(moving, *new, *old);
             }
-            let mut rest = true;
-            for row in 0..self.moving.len() {
-                let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
-                let [last, older] = &mut self.before;
-                let stays = older[row].le(change) & change.le(size);
-                self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
-                rest &= S::all(!self.moving[row]);
-                older[row] = std::mem::replace(&mut last[row], change);
-            }
-            if rest {
+            if self.settling.rests() {
                 return Ok(());
             }
         }

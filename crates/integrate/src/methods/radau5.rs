@@ -10,6 +10,7 @@
 //!
 //! The estimate is theirs (IV.8.19), of order 3: filtered by the derivatives, so that stiff parts do not spoil it.
 
+use super::fixed_point::FAR_BELOW;
 use crate::linear::Lu;
 use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
@@ -37,8 +38,6 @@ static CARD: MethodCard = MethodCard {
 const STAGES: usize = 3;
 /// An iteration that converges at all is there before; beyond, a shorter step is cheaper.
 const MOST_ITERATIONS: u32 = 40;
-/// This far below the tolerance a change is no longer looked at.
-const FAR_BELOW: f64 = 1e-4;
 /// Length of the differences, relative to the size of the state: half its digits.
 const REACH: f64 = 1.0 / (1 << 26) as f64;
 /// Components below this size are differenced as if they had it.

@@ -55,33 +55,31 @@ impl<T: Toy> Known for Bound<T> {
     }
 }
 
+impl<T> Bound<T> {
+    /// Gathers each row, and scatters what comes of it.
+    fn each_row<S: Scalar>(&self, from: &[S], to: &mut [S], act: impl Fn(&[S], &mut [S])) {
+        let full = self.shape.full();
+        let shape = self.shape.with_rows(from.len() / full);
+        for row in 0..shape.rows {
+            let own: Vec<S> = (0..full).map(|j| from[shape.place(row, j)]).collect();
+            let mut out = own.clone();
+            act(&own, &mut out);
+            for (j, x) in out.into_iter().enumerate() {
+                to[shape.place(row, j)] = x;
+            }
+        }
+    }
+}
+
 impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
     fn shape(&self) -> &Shape {
         &self.shape
     }
     fn rate(&self, t: S, y: &[S], dy: &mut [S]) {
-        let full = self.shape.full();
-        let shape = self.shape.with_rows(y.len() / full);
-        for row in 0..shape.rows {
-            let own: Vec<S> = (0..full).map(|j| y[shape.place(row, j)]).collect();
-            let mut rates = own.clone();
-            self.toy.rate(t, &own, &mut rates);
-            for (j, rate) in rates.into_iter().enumerate() {
-                dy[shape.place(row, j)] = rate;
-            }
-        }
+        self.each_row(y, dy, |own, rates| self.toy.rate(t, own, rates));
     }
     fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
-        let full = self.shape.full();
-        let shape = self.shape.with_rows(y.len() / full);
-        for row in 0..shape.rows {
-            let own: Vec<S> = (0..full).map(|j| start[shape.place(row, j)]).collect();
-            let mut then = own.clone();
-            self.toy.solution(from, &own, t, &mut then);
-            for (j, x) in then.into_iter().enumerate() {
-                y[shape.place(row, j)] = x;
-            }
-        }
+        self.each_row(start, y, |own, then| self.toy.solution(from, own, t, then));
     }
     fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
     fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
