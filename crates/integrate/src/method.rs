@@ -185,12 +185,12 @@ pub trait Stepper<S: Scalar>: Send {
 pub trait Method: Sync + 'static {
     /// Its stepper. `step` and `error` are `#[inline(always)]`, so that they are compiled for the instructions of
     /// their number (see [`Kernel`](precess_scalar::Kernel)).
-    type Steps<S: Scalar + Send>: Stepper<S> + 'static;
+    type Steps<S: Scalar>: Stepper<S> + 'static;
 
     /// What is known of it.
     fn card(&self) -> &'static MethodCard;
     /// A stepper for states of this shape.
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Self::Steps<S>;
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Self::Steps<S>;
 }
 
 /// Makes steppers over one kind of number.
@@ -199,7 +199,7 @@ pub trait Steps<S: Scalar> {
     fn stepper(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>>;
 }
 
-impl<M: Method, S: Scalar + Send> Steps<S> for M {
+impl<M: Method, S: Scalar> Steps<S> for M {
     fn stepper(&self, shape: &Shape, options: &Options) -> Box<dyn Stepper<S>> {
         Box::new(Entered(Method::stepper(self, shape, options)))
     }

@@ -32,7 +32,7 @@ pub(crate) struct Tableau {
 
 impl Tableau {
     /// A stepper for states of this shape.
-    pub fn stepper<S: Scalar + Send>(&'static self, shape: &Shape) -> Steps<S> {
+    pub fn stepper<S: Scalar>(&'static self, shape: &Shape) -> Steps<S> {
         let zeros = vec![S::from(0.0); shape.size()];
         let stages = self.nodes.len() + 1 + self.extra_nodes.len();
         let end = std::iter::once(S::from(1.0));
@@ -149,7 +149,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

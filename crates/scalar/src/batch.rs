@@ -123,6 +123,7 @@ impl<V: Register> Lanes for Batch<V> {
 
 impl<V: Register> Scalar for Batch<V> {
     type Mask = LaneMask<V>;
+    type Abreast = Self;
 
     #[inline(always)]
     fn enter<K: Kernel>(kernel: K) -> K::Output {

@@ -92,6 +92,7 @@ with_literal!(Add add, Sub sub, Mul mul, Div div);
 impl Scalar for Dependence {
     /// A truth value as a number: 1, 0, or dependent.
     type Mask = Truth;
+    type Abreast = Self;
 
     fn lt(self, o: Self) -> Truth {
         Truth(self.join(o, |a, b| f64::from(a < b)))

@@ -92,6 +92,7 @@ impl<S: Scalar> Div<f64> for Dual<S> {
 
 impl<S: Scalar> Scalar for Dual<S> {
     type Mask = S::Mask;
+    type Abreast = Self;
 
     fn lt(self, o: Self) -> S::Mask {
         self.value.lt(o.value)

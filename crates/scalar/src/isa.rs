@@ -74,6 +74,11 @@ impl Isa {
         }
     }
 
+    /// Whether plain numbers fit side by side into [`Wide`], and the machine has it.
+    pub(crate) fn has_wide() -> bool {
+        Self::Wide.lanes() > 1 && (Self::Wide.lanes() == Self::Narrow.lanes() || Self::Wide.is_available())
+    }
+
     #[cfg(target_arch = "x86_64")]
     fn is_available(self) -> bool {
         match self {

@@ -4,7 +4,7 @@ use crate::Scalar;
 use crate::register::{Register, Word};
 
 /// A double, or a register of doubles side by side.
-pub trait Lanes: Scalar + Send + Sync {
+pub trait Lanes: Scalar {
     /// The register.
     type Register: Register;
     /// How many doubles.

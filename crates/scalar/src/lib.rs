@@ -4,6 +4,7 @@
 //! block of lanes ([`Batch`]), with twice the digits ([`DoubleDouble`]), as a derivative ([`Dual`]), as a
 //! recorded expression ([`Traced`]) and on units of measure ([`Unit`]).
 
+mod abreast;
 mod batch;
 mod carlson;
 mod dependence;
@@ -19,6 +20,7 @@ mod scalar;
 mod traced;
 mod unit;
 
+pub use abreast::Abreast;
 pub use batch::Batch;
 pub use carlson::{rf, rj};
 pub use dependence::Dependence;

@@ -1,9 +1,14 @@
 //! The plain number.
 
-use crate::{Scalar, elementary};
+use crate::{Isa, Scalar, Wide, elementary};
 
 impl Scalar for f64 {
     type Mask = bool;
+    type Abreast = Wide;
+
+    fn is_abreast() -> bool {
+        Isa::has_wide()
+    }
 
     #[inline(always)]
     fn all(mask: bool) -> bool {

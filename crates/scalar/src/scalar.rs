@@ -1,5 +1,6 @@
 //! What an equation of mechanics may do with a number.
 
+use crate::Abreast;
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Work to be done inside [`Scalar::enter`].
@@ -34,6 +35,8 @@ pub trait Scalar:
     + Sub<f64, Output = Self>
     + Mul<f64, Output = Self>
     + Div<f64, Output = Self>
+    + Send
+    + Sync
     + 'static
 {
     /// The outcome of a comparison: one truth value per lane.
@@ -42,6 +45,13 @@ pub trait Scalar:
         + BitAnd<Output = Self::Mask>
         + BitOr<Output = Self::Mask>
         + Not<Output = Self::Mask>;
+    /// Several of these in one, where there are such lanes (see [`is_abreast`](Scalar::is_abreast)); itself elsewhere.
+    type Abreast: Abreast<Self>;
+
+    /// Whether this machine computes with several of these in one.
+    fn is_abreast() -> bool {
+        false
+    }
 
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;

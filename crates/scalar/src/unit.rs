@@ -149,6 +149,7 @@ with_literal!(Add add, Sub sub, Mul mul, Div div);
 
 impl Scalar for Unit {
     type Mask = bool;
+    type Abreast = Self;
 
     fn all(_: bool) -> bool {
         true

@@ -3,10 +3,11 @@
 use crate::{Card, Given, Layout, Satellites, Shape, State, System, Values};
 #[cfg(feature = "tangents")]
 use precess_scalar::Dual;
-use precess_scalar::{Dependence, Kernel, Narrow, Scalar, Traced, Wide, Widest};
+use precess_scalar::{Abreast, Dependence, Kernel, Narrow, Scalar, Traced, Wide, Widest};
 #[cfg(feature = "laws")]
 use precess_scalar::{DoubleDouble, Unit};
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 /// A system with its parameters, as a first-order field over one kind of number.
 ///
@@ -32,16 +33,26 @@ pub trait Field<S: Scalar>: Send + Sync {
     fn crossings(&self, t: S, y: &[S], out: &mut [S]);
     /// Applies an event to the state.
     fn jump(&self, event: usize, t: S, y: &mut [S]);
+    /// The same field over several of its numbers at once, where this machine has lanes for them.
+    fn abreast(&self) -> Option<&dyn Field<S::Abreast>> {
+        None
+    }
 }
 
 /// A system and the parameters it runs with.
-struct Bound<M, S> {
+struct Bound<M, S: Scalar> {
     system: M,
     values: Values<S>,
     shape: Shape,
+    /// Made where somebody asks for it.
+    abreast: OnceLock<Box<dyn Field<S::Abreast>>>,
 }
 
 impl<M, S: Scalar> Bound<M, S> {
+    fn new(system: M, values: Values<S>, layout: &Layout) -> Self {
+        Self { system, values, shape: layout.shape(), abreast: OnceLock::new() }
+    }
+
     #[inline(always)]
     fn state<'a>(&'a self, t: S, y: &'a [S]) -> State<'a, S> {
         let (coordinates, rest) = y.split_at(self.shape.coordinates);
@@ -56,7 +67,7 @@ const OBSERVABLES: u8 = 1;
 const CROSSINGS: u8 = 2;
 
 /// An evaluation at a point, compiled for the instructions of its number.
-struct Evaluation<'a, M, S, const WHAT: u8> {
+struct Evaluation<'a, M, S: Scalar, const WHAT: u8> {
     bound: &'a Bound<M, S>,
     /// By reference: code outside copies a register piece by piece, and a load of the whole then waits for them all.
     t: &'a S,
@@ -79,7 +90,7 @@ impl<M: System, S: Scalar, const WHAT: u8> Kernel for Evaluation<'_, M, S, WHAT>
 }
 
 /// The accelerations of the positions, compiled for the instructions of their number.
-struct Drift<'a, M, S> {
+struct Drift<'a, M, S: Scalar> {
     bound: &'a Bound<M, S>,
     t: &'a S,
     y: &'a [S],
@@ -112,7 +123,7 @@ impl<M: System, S: Scalar> Kernel for Drift<'_, M, S> {
 }
 
 /// The closed form, compiled for the instructions of its number.
-struct Solution<'a, M, S> {
+struct Solution<'a, M, S: Scalar> {
     bound: &'a Bound<M, S>,
     from: &'a S,
     start: &'a [S],
@@ -185,10 +196,7 @@ impl<M: System, S: Scalar> Bound<M, S> {
     }
 }
 
-impl<M: System, S: Scalar + Send + Sync> Field<S> for Bound<M, S>
-where
-    Values<S>: Send + Sync,
-{
+impl<M: System, S: Scalar> Field<S> for Bound<M, S> {
     fn shape(&self) -> &Shape {
         &self.shape
     }
@@ -224,6 +232,15 @@ where
         let before = y.to_vec();
         self.system.jump(event, &self.state(t, &before), y);
     }
+
+    fn abreast(&self) -> Option<&dyn Field<S::Abreast>> {
+        let make = || -> Box<dyn Field<S::Abreast>> {
+            let values = self.values.map(|x| S::Abreast::spread(*x));
+            let (system, shape) = (self.system.clone(), self.shape.clone());
+            Box::new(Bound { system, values, shape, abreast: OnceLock::new() })
+        };
+        S::is_abreast().then(|| &**self.abreast.get_or_init(make))
+    }
 }
 
 /// Makes a field over one kind of number.
@@ -232,9 +249,9 @@ pub trait Bind<S: Scalar> {
     fn bind(&self, values: Values<S>, layout: &Layout) -> Box<dyn Field<S>>;
 }
 
-impl<M: System, S: Scalar + Send + Sync> Bind<S> for M {
+impl<M: System, S: Scalar> Bind<S> for M {
     fn bind(&self, values: Values<S>, layout: &Layout) -> Box<dyn Field<S>> {
-        Box::new(Bound { system: self.clone(), values, shape: layout.shape() })
+        Box::new(Bound::new(self.clone(), values, layout))
     }
 }
 
@@ -249,7 +266,7 @@ pub trait Rates<S: Scalar> {
 
 impl<M: System, S: Scalar> Rates<S> for M {
     fn rates(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> (Vec<S>, Vec<S>) {
-        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values, layout);
         let mut rates = vec![S::from(0.0); y.len()];
         bound.rates(t, y, &mut rates);
         let mut crossings = vec![S::from(0.0); bound.shape.events];
@@ -261,7 +278,7 @@ impl<M: System, S: Scalar> Rates<S> for M {
         if cfg!(feature = "first") {
             return None;
         }
-        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values, layout);
         System::lagrangian(self, &bound.state(t, y))
     }
 }
@@ -276,7 +293,7 @@ pub trait Observes<S: Scalar> {
 #[cfg(feature = "tangents")]
 impl<M: System, S: Scalar> Observes<S> for M {
     fn observed(&self, values: Values<S>, layout: &Layout, t: S, y: &[S]) -> Vec<S> {
-        let bound = Bound { system: self.clone(), values, shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values, layout);
         let mut out = vec![S::from(0.0); bound.shape.observables];
         self.observe(&bound.state(t, y), &mut out);
         out
@@ -355,7 +372,7 @@ impl<M: System> AnySystem for M {
     }
 
     fn trouble(&self, values: &Values<f64>, layout: &Layout, t: f64, y: &[f64]) -> Option<String> {
-        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values.clone(), layout);
         System::trouble(self, &bound.state(t, y))
     }
 
@@ -367,7 +384,7 @@ impl<M: System> AnySystem for M {
         if cfg!(feature = "first") {
             return Err("closed forms are not in this program".into());
         }
-        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values.clone(), layout);
         System::solvable(self, &bound.state(0.0, start))
     }
 
@@ -383,7 +400,7 @@ impl<M: System> AnySystem for M {
             }
         }
         System::start(self, given, values, &mut y[..size])?;
-        let bound = Bound { system: self.clone(), values: values.clone(), shape: layout.shape() };
+        let bound = Bound::new(self.clone(), values.clone(), layout);
         let (state, modes) = y.split_at_mut(size);
         let at_start = bound.state(0.0, state);
         self.check(&at_start)?;

@@ -48,7 +48,7 @@ impl<S: Scalar> Composition<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Composition<S> {
+impl<S: Scalar> Stepper<S> for Composition<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

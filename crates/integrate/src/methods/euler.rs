@@ -34,9 +34,9 @@ impl Method for Euler {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Glide<S>;
+    type Steps<S: Scalar> = Glide<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Glide<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Glide<S> {
         Glide::new(shape, 0.0)
     }
 }

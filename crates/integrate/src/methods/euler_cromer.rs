@@ -36,9 +36,9 @@ impl Method for EulerCromer {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Glide<S>;
+    type Steps<S: Scalar> = Glide<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Glide<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Glide<S> {
         Glide::new(shape, 1.0)
     }
 }

@@ -41,9 +41,9 @@ impl Method for EulerCromerImplicit {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let n = shape.coordinates;
         let zeros = vec![S::from(0.0); n];
         Steps {
@@ -116,7 +116,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Some(tape) = self.momenta.clone() else {

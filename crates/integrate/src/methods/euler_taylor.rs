@@ -45,9 +45,9 @@ impl Method for EulerTaylor {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Glide<S>;
+    type Steps<S: Scalar> = Glide<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Glide<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Glide<S> {
         Glide::new(shape, options.alpha)
     }
 }

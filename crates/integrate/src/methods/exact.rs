@@ -30,9 +30,9 @@ impl Method for Exact {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Steps<S> {
         let zero = S::from(0.0);
         Steps { anchored: false, from: zero, start: vec![zero; shape.size()], evaluations: 0 }
     }
@@ -46,7 +46,7 @@ pub struct Steps<S> {
     evaluations: u64,
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

@@ -69,12 +69,34 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
         self.change.fill(S::from(0.0));
     }
 
-    /// The number at place `i` has changed by so much; whether it still moves.
+    /// The row of the number at place `i`.
     #[inline(always)]
-    pub fn change(&mut self, i: usize, by: S) -> S::Mask {
-        let row = self.row[i];
-        self.change[row] = self.change[row] + by.squared();
+    pub fn row(&self, i: usize) -> usize {
+        self.row[i]
+    }
+
+    /// How many rows there are.
+    #[inline(always)]
+    pub fn rows(&self) -> usize {
+        self.moving.len()
+    }
+
+    /// Which rows still move.
+    #[inline(always)]
+    pub fn moving(&self) -> &[S::Mask] {
+        &self.moving
+    }
+
+    /// Whether a row still moves.
+    #[inline(always)]
+    pub fn moves(&self, row: usize) -> S::Mask {
         self.moving[row]
+    }
+
+    /// A row has changed by what has this square.
+    #[inline(always)]
+    pub fn add(&mut self, row: usize, square: S) {
+        self.change[row] = self.change[row] + square;
     }
 
     /// The iteration ends; whether everything rests.

@@ -42,9 +42,9 @@ impl Method for GaussLegendre16 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Collocation<S>;
+    type Steps<S: Scalar> = Collocation<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
         Collocation::new(shape, HALF, 8, true, options.epsilon)
     }
 }

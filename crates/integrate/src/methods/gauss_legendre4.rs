@@ -33,9 +33,9 @@ impl Method for GaussLegendre4 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Collocation<S>;
+    type Steps<S: Scalar> = Collocation<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
         Collocation::new(shape, HALF, 2, false, options.epsilon)
     }
 }

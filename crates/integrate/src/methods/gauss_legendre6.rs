@@ -34,9 +34,9 @@ impl Method for GaussLegendre6 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Collocation<S>;
+    type Steps<S: Scalar> = Collocation<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Collocation<S> {
         Collocation::new(shape, HALF, 3, false, options.epsilon)
     }
 }

@@ -37,7 +37,7 @@ impl<S: Scalar> Glide<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Glide<S> {
+impl<S: Scalar> Stepper<S> for Glide<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

@@ -44,9 +44,9 @@ impl Method for LieMidpoint {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let zeros = vec![S::from(0.0); shape.size()];
         let attitudes = (0..shape.rows).flat_map(|row| {
             let places = shape.attitudes.iter().map(move |&i| shape.place(row, i));
@@ -134,7 +134,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         step.out.copy_from_slice(step.y);
@@ -143,8 +143,9 @@ impl<S: Scalar + Send> Stepper<S> for Steps<S> {
             self.iterate(step);
             self.settling.iterate();
             for (i, (old, new)) in step.out.iter_mut().zip(&self.next).enumerate() {
-                let moving = self.settling.change(i, *new - *old);
-                *old = S::select(moving, *new, *old);
+                let row = self.settling.row(i);
+                self.settling.add(row, (*new - *old).squared());
+                *old = S::select(self.settling.moves(row), *new, *old);
             }
             if self.settling.rests() {
                 return Ok(());

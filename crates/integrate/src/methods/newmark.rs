@@ -35,9 +35,9 @@ impl Method for Newmark {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let zeros = vec![S::from(0.0); shape.size()];
         Steps {
             pairs: shape.pairs().collect(),
@@ -74,7 +74,7 @@ pub struct Steps<S: Scalar> {
     evaluations: u64,
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

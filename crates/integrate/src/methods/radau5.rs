@@ -47,9 +47,9 @@ impl Method for Radau5 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let (size, full) = (shape.size(), shape.full());
         let zeros = vec![S::from(0.0); size];
         let root = S::from(6.0).sqrt();
@@ -231,7 +231,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         step.field.rate(step.t, step.y, &mut self.start);

@@ -30,9 +30,9 @@ impl Method for Rk4 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Steps<S> {
         let zeros = || vec![S::from(0.0); shape.size()];
         Steps { k: [zeros(), zeros(), zeros(), zeros()], evaluations: 0 }
     }
@@ -44,7 +44,7 @@ pub struct Steps<S> {
     evaluations: u64,
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         let Step { field, t, y, h, ref mut out } = *step;

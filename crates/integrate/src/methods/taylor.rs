@@ -36,9 +36,9 @@ impl Method for Taylor {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, options: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, options: &Options) -> Steps<S> {
         let full = shape.full();
         let equations = options.equations.as_ref().filter(|tape| tape.inputs() == full + 1);
         let series = equations.and_then(|tape| Series::new(tape, ORDER.into()).ok());
@@ -90,7 +90,7 @@ impl<S: Scalar> Steps<S> {
     }
 }
 
-impl<S: Scalar + Send> Stepper<S> for Steps<S> {
+impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
         if !self.known {

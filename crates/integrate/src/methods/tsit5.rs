@@ -33,9 +33,9 @@ impl Method for Tsit5 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Steps<S>;
+    type Steps<S: Scalar> = Steps<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Steps<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Steps<S> {
         TABLEAU.stepper(shape)
     }
 }

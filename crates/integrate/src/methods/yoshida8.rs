@@ -45,9 +45,9 @@ impl Method for Yoshida8 {
     fn card(&self) -> &'static MethodCard {
         &CARD
     }
-    type Steps<S: Scalar + Send> = Composition<S>;
+    type Steps<S: Scalar> = Composition<S>;
 
-    fn stepper<S: Scalar + Send>(&self, shape: &Shape, _: &Options) -> Composition<S> {
+    fn stepper<S: Scalar>(&self, shape: &Shape, _: &Options) -> Composition<S> {
         Composition::new(shape, OUTER, MIDDLE)
     }
 }

@@ -91,6 +91,9 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
     fn jump(&self, event: usize, t: S, y: &mut [S]) {
         self.toy.jump(event, t, y);
     }
+    fn abreast(&self) -> Option<&dyn Field<S::Abreast>> {
+        S::is_abreast().then_some(self)
+    }
 }
 
 /// `x'' = -omega^2 x`.

@@ -94,6 +94,7 @@ impl DoubleDouble {
 
 impl Scalar for DoubleDouble {
     type Mask = bool;
+    type Abreast = Self;
 
     fn all(mask: bool) -> bool {
         mask

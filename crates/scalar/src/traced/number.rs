@@ -121,6 +121,7 @@ macro_rules! binary {
 
 impl Scalar for Traced {
     type Mask = Condition;
+    type Abreast = Self;
 
     fn lt(self, o: Self) -> Condition {
         Condition(record([self.0, o.0], |[a, b]| Node::Less(a, b)))
