@@ -1,4 +1,5 @@
 import type { Look } from "../lab/result";
+import { frame } from "./kit/frame";
 import type { Point } from "./kit/pen";
 import type { Flat } from "./kit/scene";
 
@@ -9,24 +10,13 @@ const rings = (look: Look) =>
   look.list("rings").flatMap(([count = 0], ring) => Array<number>(count).fill(ring));
 
 /** Where the heavy bodies go, with room for the rings; the asteroids that are thrown out leave the picture. */
-function frame(look: Look): { centre: Point; reach: Point } {
-  const room = 1.3 * Math.max(...look.list("rings").map(([, , radius = 0]) => radius), 0);
-  const side = (axis: string): [number, number] => {
-    const all = [look.column(`${axis}0`), look.column(`${axis}1`)];
-    const [low, high] = [
-      Math.min(...all.map((one) => Math.min(...one))),
-      Math.max(...all.map((one) => Math.max(...one))),
-    ];
-    return [(low + high) / 2, (high - low) / 2 + room || 1];
-  };
-  const [[x, across], [y, up]] = [side("x"), side("y")];
-  return { centre: [x, y], reach: [across, up] };
-}
+const view = (look: Look) =>
+  frame(look, [0, 1], 1.3 * Math.max(...look.list("rings").map(([, , radius = 0]) => radius), 0));
 
 const scene: Flat = {
   kind: "flat",
-  reach: (look) => frame(look).reach,
-  centre: (look) => frame(look).centre,
+  reach: (look) => view(look).reach,
+  centre: (look) => view(look).centre,
   draw(pen, look, sample) {
     const at = (body: number): Point => [look.at(`x${body}`, sample), look.at(`y${body}`, sample)];
     for (let body = 0; body < HEAVY; body++)

@@ -90,7 +90,7 @@ export class Studio {
     scene.add(this.#ground);
     const table = solid.table?.(look);
     if (table !== undefined) this.#table(this.#ground, table / this.#size, ink);
-    if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, ink);
+    if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, table, ink);
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
     scene.add(this.#body);
@@ -125,7 +125,7 @@ export class Studio {
     if (this.#crosses) ground.add(this.#crosses.object);
   }
 
-  #sphere(scene: Scene, radius: number, ink: Ink): void {
+  #sphere(scene: Scene, radius: number, table: number | undefined, ink: Ink): void {
     const material = new MeshStandardMaterial({
       color: ink.faint,
       transparent: true,
@@ -133,8 +133,8 @@ export class Studio {
       side: DoubleSide,
       depthWrite: false,
     });
-    // Above a table only the upper half of it.
-    const half = this.#ground.children.length > 2;
+    // Of one that stands on a table only the upper half.
+    const half = table === 0;
     const dome = new SphereGeometry(radius, 48, 32, 0, 2 * Math.PI, 0, half ? Math.PI / 2 : Math.PI);
     scene.add(new Mesh(dome.rotateX(Math.PI / 2), material));
     for (const z of [0, 0.5, 0.866]) scene.add(ring(radius * Math.sqrt(1 - z * z), [0, 0, radius * z], ink));
