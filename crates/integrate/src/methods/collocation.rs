@@ -48,6 +48,8 @@ struct Common<S: Scalar> {
     carry: Option<[Vec<S>; 2]>,
     /// The length of the step whose rates the stages still hold; no number before the first.
     last: S,
+    /// Where another length begins, for each row.
+    fresh: Vec<S::Mask>,
     settling: Settling<S, 1>,
     evaluations: u64,
 }
@@ -133,6 +135,7 @@ impl<S: Scalar> Collocation<S> {
                 carry: compensated.then(|| [zeros.clone(), zeros.clone()]),
                 rate: zeros,
                 last: S::from(f64::NAN),
+                fresh: vec![S::always(); shape.rows],
                 settling: Settling::new(shape, epsilon),
                 evaluations: 0,
             },
@@ -276,8 +279,8 @@ impl<S: Scalar, L: Abreast<S>> Kernel for Taken<'_, '_, S, L> {
         let goes_on = common.last.le(h) & h.le(common.last);
         if !S::all(goes_on) {
             common.evaluate(step);
-            let rows = vec![!goes_on; common.settling.rows()];
-            stages.begin(common, &rows);
+            common.fresh.fill(!goes_on);
+            stages.begin(common, &common.fresh);
         }
         common.last = h;
         common.settling.begin(y);

@@ -75,12 +75,6 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
         self.row[i]
     }
 
-    /// How many rows there are.
-    #[inline(always)]
-    pub fn rows(&self) -> usize {
-        self.moving.len()
-    }
-
     /// Which rows still move.
     #[inline(always)]
     pub fn moving(&self) -> &[S::Mask] {
