@@ -307,6 +307,26 @@ test("methods can be compared, and equations read", async ({ page }) => {
   await expect(page.locator(".katex").first()).toBeVisible();
 });
 
+test("what a source prints runs beside what is right", async ({ page }) => {
+  await open(page);
+  await choose(page, "gyroscope_integrals");
+  const corrected = await hashOf(page);
+  await page.locator("[data-both=formula_21]").check();
+  await expect(page.locator("[data-run-of]")).toHaveCount(2);
+  await expect(page.locator("[data-run-of='1']")).toContainText(/formula_21 as printed.*evaluations/s);
+  await page.locator("[data-printed=formula_21]").click();
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", corrected ?? "");
+  await expect(page.locator("[data-run-of='1']")).toContainText(/formula_21 corrected.*evaluations/s);
+  await expect(page.locator("[data-printed=formula_21]")).toHaveAttribute("aria-pressed", "true");
+  expect(await barriers(page)).toEqual([]);
+  await page.locator("[data-corrected=formula_21]").click();
+  await expect(page.locator("[data-run]")).toHaveAttribute("data-run", corrected ?? "");
+  // Another system has nothing of the kind, and nothing to compare.
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-run-of]")).toHaveCount(0);
+  await expect(page.locator("[data-both]")).toHaveCount(0);
+});
+
 test("the keyboard alone plays, steps, forks and describes", async ({ page }) => {
   await open(page);
   await choose(page, "pendulum");
