@@ -327,6 +327,25 @@ test("what a source prints runs beside what is right", async ({ page }) => {
   await expect(page.locator("[data-both]")).toHaveCount(0);
 });
 
+test("of hundreds of quantities a few are listed, of the body at hand", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "cluster");
+  await expect(page.locator("[data-field=y0_dot]")).toBeVisible();
+  await expect(page.locator("[data-field=x9]")).toHaveCount(0);
+  await page.locator("[data-group]").selectOption("9");
+  await expect(page.locator("[data-field=x9]")).toBeVisible();
+  expect(await page.locator("[data-field]").count()).toBeLessThan(20);
+  expect(await page.locator("main option").count()).toBeLessThan(120);
+  await page.locator("figure:has([data-graph='2']) select").first().selectOption("x9");
+  await page.locator("[data-describe]").click();
+  await expect(page.locator("[data-spoken]")).toContainText("x of asteroid 9");
+  await expect(page.locator("[data-spoken]")).toContainText("544 more numbers are not read");
+  const before = await hashOf(page);
+  await fill(page, "x9", "200");
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+});
+
 test("the keyboard alone plays, steps, forks and describes", async ({ page }) => {
   await open(page);
   await choose(page, "pendulum");

@@ -5,6 +5,7 @@ import first from "../first.toml?raw";
 import firstPage from "virtual:first-page";
 import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
+import { listed } from "./groups";
 import { remember, remembered } from "./memory";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
@@ -59,6 +60,8 @@ export class Lab {
   /** What the run at hand is compared with, where that is another run. */
   variations = $state.raw<Variation[]>([]);
   rivals = $state.raw<Rival[]>([]);
+  /** Of the bodies that are too many for a list, the one at hand. */
+  group = $state("");
 
   static async open(): Promise<Lab> {
     const language = languageOf();
@@ -319,14 +322,13 @@ export class Lab {
   describe(): void {
     const { look, system, sample } = this;
     if (!look || !system) return;
-    const { columns } = look.result.report;
-    const values = columns
-      .filter(({ kind }) => kind === "time" || kind === "state")
-      // Nobody listens to hundreds of numbers.
-      .slice(0, 16)
-      .map(({ name, unit }) =>
-        `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${unit}`.trim(),
-      );
+    // Nobody listens to hundreds of numbers.
+    const names = listed(look.state, this.group);
+    const values = ["t", ...names].map((name) =>
+      `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${look.unit(name)}`.trim(),
+    );
+    const unread = look.state.length - names.length;
+    if (unread) values.push(`${unread} ${this.words.unread}`);
     const drifts = look.result.report.drifts.map(
       ({ name, relative, largest }) =>
         `${this.words.drift}, ${this.meaning(name)}: ${this.number(relative ?? largest ?? NaN, 2)}`,

@@ -20,6 +20,8 @@ export const en = {
   presets: "Scenarios",
   parameters: "Parameters",
   start: "Start",
+  group: "Too many for one list; shown here and in the graphs' menus:",
+  unread: "more numbers are not read",
   run: "Run",
   method: "Method",
   until: "end of the run",

@@ -20,6 +20,8 @@ export const fr: Words = {
   presets: "Scénarios",
   parameters: "Paramètres",
   start: "Départ",
+  group: "Trop nombreux pour une seule liste ; affichés ici et dans les menus des graphiques :",
+  unread: "autres nombres ne sont pas lus",
   run: "Calcul",
   method: "Méthode",
   until: "fin du calcul",
