@@ -1,5 +1,6 @@
 import AxeBuilder from "@axe-core/playwright";
 import { expect, test, type Page } from "@playwright/test";
+import { createHash } from "node:crypto";
 import { readFile } from "node:fs/promises";
 import { gzipSync } from "node:zlib";
 import { decode } from "../src/lab/link";
@@ -58,9 +59,11 @@ async function picture(page: Page, selector: string): Promise<string> {
   });
 }
 
-/** All that is on a canvas. */
-const drawing = (page: Page, selector: string) =>
-  page.locator(selector).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+/** What is on a canvas, to be held against what was. */
+const drawing = async (page: Page, selector: string) => {
+  const url = await page.locator(selector).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+  return createHash("sha256").update(url).digest("hex");
+};
 
 test("a top precesses on the first page, without a click", async ({ page }) => {
   await open(page);
@@ -341,9 +344,36 @@ test("of hundreds of quantities a few are listed, of the body at hand", async ({
   await page.locator("[data-describe]").click();
   await expect(page.locator("[data-spoken]")).toContainText("x of asteroid 9");
   await expect(page.locator("[data-spoken]")).toContainText("544 more numbers are not read");
+  // A short run is enough of it.
+  await fill(page, "until", "5");
+  await expect(page.locator("[data-scrub]")).toHaveAttribute("max", "100");
   const before = await hashOf(page);
   await fill(page, "x9", "200");
   await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+});
+
+test("vectors stand in a solid scene, and its camera goes along", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  const bare = await drawing(page, "[data-scene]");
+  await page.locator("[data-vectors]").click();
+  await expect(page.locator("[data-vector=omega]")).toHaveAttribute("aria-pressed", "true");
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(bare);
+  const some = await drawing(page, "[data-scene]");
+  await page.locator("[data-vector=weight]").click();
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(some);
+  const all = await drawing(page, "[data-scene]");
+  await page.locator("[data-view]").selectOption("body");
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(all);
+  expect(await barriers(page, "main")).toEqual([]);
+  await page.locator("[data-view]").selectOption("rest");
+  await page.locator("[data-vectors]").click();
+  await expect.poll(() => drawing(page, "[data-scene]")).toBe(bare);
+  // Another run is another scene, with the same vectors in it.
+  await page.locator("[data-vectors]").click();
+  await choose(page, "free_body");
+  await expect(page.locator("[data-vector=momentum]")).toBeVisible();
+  await expect(page.locator("[data-vector=weight]")).toHaveCount(0);
 });
 
 test("the keyboard alone plays, steps, forks and describes", async ({ page }) => {

@@ -8,6 +8,8 @@ import type { Flat } from "../scenes/kit/scene";
 import type { Language } from "./number";
 import type { Look } from "./result";
 
+export { download } from "./export";
+
 /** What is on a canvas, on paper. */
 export function png(canvas: HTMLCanvasElement, paper: string): Promise<Blob> {
   const copy = document.createElement("canvas");
