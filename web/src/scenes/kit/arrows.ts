@@ -30,13 +30,21 @@ export class Arrows {
   ) {
     this.#size = size;
     this.#arrows = vectors.map((vector) => {
-      const material = new MeshBasicMaterial({ color: colours(vector.name) });
-      const shaft = new Mesh(new CylinderGeometry(SHAFT, SHAFT, 1, 12), material);
-      const head = new Mesh(new CylinderGeometry(0, HEAD, TIP, 16), material);
+      const color = colours(vector.name);
+      const part = (top: number, bottom: number, height: number) => {
+        const shape = new CylinderGeometry(top, bottom, height, 16);
+        // What is within the body or under the table shines through.
+        const ghost = { color, transparent: true, opacity: 0.3, depthTest: false };
+        const mesh = new Mesh(shape, new MeshBasicMaterial({ color }));
+        return mesh.add(new Mesh(shape, new MeshBasicMaterial(ghost)));
+      };
+      const [shaft, head] = [part(SHAFT, SHAFT, 1), part(0, HEAD, TIP)];
       const group = new Group();
       group.add(shaft, head);
       this.object.add(group);
-      return { vector, scale: reach / size / (largest(vector, look) || 1), group, shaft, head };
+      // A weight of full length would only hide what is below.
+      const share = vector.name === "weight" ? 0.5 : 1;
+      return { vector, scale: (share * reach) / size / (largest(vector, look) || 1), group, shaft, head };
     });
   }
 
