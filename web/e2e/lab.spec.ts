@@ -376,6 +376,25 @@ test("vectors stand in a solid scene, and its camera goes along", async ({ page 
   await expect(page.locator("[data-vector=weight]")).toHaveCount(0);
 });
 
+test("events are marked along the time bar, and gone to by name", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await expect(page.locator("[data-event]")).toHaveCount(0);
+  await choose(page, "noria");
+  await expect(page.locator("[data-strip]")).not.toHaveAttribute("data-strip", "0");
+  await page.locator("[data-scrub]").fill("0");
+  await page.locator("[data-event-on]").click();
+  await expect(page.locator("[data-event]")).toContainText(/bucket \d .*\(t = /);
+  await expect(page.locator("[data-spoken]")).toContainText("bucket");
+  const clock = await page.locator("[data-clock]").textContent();
+  await page.locator("[data-event-on]").click();
+  await expect(page.locator("[data-clock]")).not.toHaveText(clock ?? "");
+  await page.locator("[data-event-back]").click();
+  await expect(page.locator("[data-clock]")).toHaveText(clock ?? "");
+  expect((await taken(page, "[data-graph-svg='2']")).bytes.toString()).toContain('stroke-dasharray="2 3"');
+  expect(await barriers(page, "main")).toEqual([]);
+});
+
 test("the keyboard alone plays, steps, forks and describes", async ({ page }) => {
   await open(page);
   await choose(page, "pendulum");
