@@ -9,8 +9,9 @@ import { fresh, toml } from "../src/lab/scenario";
 import { load } from "./builds";
 
 const core = await load("precess");
-const system = core.catalogue().systems.find(({ id }) => id === "noria");
-if (!system) throw new Error("no noria");
+const noria = core.catalogue().systems.find(({ id }) => id === "noria");
+if (!noria) throw new Error("no noria");
+const usual = fresh(noria);
 
 const ink: Ink = {
   paper: "#fff",
@@ -32,13 +33,13 @@ function lookAt(text: string): Look {
     { length: rows * columns.length },
     (_, at) => table[(at % rows) * columns.length + Math.floor(at / rows)] ?? NaN,
   );
-  const result = { scenario: fresh(system!), report: run.report, hash: "", events: run.events(), numbers };
+  const result = { scenario: usual, report: run.report, hash: "", events: run.events(), numbers };
   run.free();
   return new Look(result);
 }
 
 test("events are marked at the first sample behind them, in the words of the card", () => {
-  const scenario = { ...fresh(system), rest: '[[event]]\nname = "half_round"\nwhen = "theta = 3"\n' };
+  const scenario = { ...usual, rest: '[[event]]\nname = "half_round"\nwhen = "theta = 3"\n' };
   const look = lookAt(toml(scenario));
   const marks = marksOf(look, "fr");
   expect(marks.length).toBeGreaterThan(10);
@@ -53,7 +54,7 @@ test("events are marked at the first sample behind them, in the words of the car
 });
 
 test("a graph over time has lines and names, another one rings on its curve", () => {
-  const look = lookAt(toml(fresh(system)));
+  const look = lookAt(toml(usual));
   const marks = marksOf(look, "en").slice(0, 12);
   const picture = (x: string) => {
     const plot = {

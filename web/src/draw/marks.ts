@@ -5,8 +5,8 @@ import type { Ink } from "./ink";
 import { px, py, type Frame, type Plot } from "./plot";
 import type { Brush } from "./svg";
 
-/** More than these say only when. */
-const NAMED = 40;
+/** More than these are small marks below. */
+const FEW = 40;
 
 export function drawEvents(pen: Brush, f: Frame, plot: Plot, marks: readonly Mark[], ink: Ink): void {
   const lead = plot.curves[0];
@@ -14,7 +14,9 @@ export function drawEvents(pen: Brush, f: Frame, plot: Plot, marks: readonly Mar
   pen.strokeStyle = ink.faint;
   pen.fillStyle = ink.faint;
   pen.lineWidth = ink.weight;
+  const many = marks.length > FEW;
   if (plot.x !== "t" && !plot.x.startsWith("t ")) {
+    if (many) return;
     pen.setLineDash([]);
     for (const { sample } of marks) {
       const [x, y] = [px(f, lead.x[sample] ?? NaN), py(f, lead.y[sample] ?? NaN)];
@@ -25,7 +27,7 @@ export function drawEvents(pen: Brush, f: Frame, plot: Plot, marks: readonly Mar
     }
     return;
   }
-  pen.setLineDash([2, 3]);
+  pen.setLineDash(many ? [] : [2, 3]);
   pen.textAlign = "left";
   let drawn = -Infinity;
   /** Where the last name ends, in each of the two lines of names. */
@@ -35,11 +37,11 @@ export function drawEvents(pen: Brush, f: Frame, plot: Plot, marks: readonly Mar
     if (x < f.left || x > f.right || x === drawn) continue;
     drawn = x;
     pen.beginPath();
-    pen.moveTo(x, f.top);
+    pen.moveTo(x, many ? f.bottom - 6 : f.top);
     pen.lineTo(x, f.bottom);
     pen.stroke();
     const width = pen.measureText(name).width + 6;
-    const row = marks.length > NAMED ? -1 : ends.findIndex((end) => end < x);
+    const row = many ? -1 : ends.findIndex((end) => end < x);
     if (row < 0 || x + width > f.right) continue;
     ends[row] = x + width;
     pen.fillText(name, x + 3, f.bottom - 6 - 14 * row);
