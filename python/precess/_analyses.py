@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _core
 from ._catalogue import UnknownNameError
-from ._names import extra, nearest
+from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario
+from ._sweep import Members, side_by_side
 from ._table import Answer
+from ._tiles import done
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,13 +27,18 @@ if TYPE_CHECKING:
 
     from ._catalogue import System
     from ._core import Floats
-    from ._progress import Progress
+    from ._progress import Progress, Told
     from ._scenario import Settings
+    from ._tiles import Submits
 
     Window = Mapping[str, tuple[float | str, float | str]]
     SweepOf = str | Mapping[str, tuple[float | str, float | str, int]]
 
+# Points that a thread takes at a time.
+PIECE = 8
 
+
+@knows_its_keywords
 def lyapunov(
     system: str | Path | System | Scenario, *, progress: Progress = None, **settings: Unpack[Settings]
 ) -> Answer:
@@ -51,6 +59,7 @@ def lyapunov(
         return Answer(scenario, "Lyapunov spectrum", _core.lyapunov(scenario._plan, told))  # noqa: SLF001
 
 
+@knows_its_keywords
 def poincare(
     system: str | Path | System | Scenario,
     section: str,
@@ -79,6 +88,7 @@ def poincare(
     return Answer(scenario, "Poincaré section", answer)
 
 
+@knows_its_keywords
 def portrait(
     system: str | Path | System | Scenario,
     window: Window | None = None,
@@ -103,6 +113,7 @@ def portrait(
         return Answer(scenario, "phase portrait", _core.portrait(scenario._plan, windows, levels, told))  # noqa: SLF001
 
 
+@knows_its_keywords
 def response(
     system: str | Path | System | Scenario,
     sweep: SweepOf,
@@ -130,6 +141,7 @@ def response(
     return Answer(scenario, "response", answer)
 
 
+@knows_its_keywords
 def bifurcation(
     system: str | Path | System | Scenario,
     sweep: SweepOf,
@@ -149,20 +161,77 @@ def bifurcation(
     return Answer(scenario, "bifurcation diagram", answer)
 
 
+class Points(NamedTuple):
+    """Points of a sweep of Floquet multipliers, and any part of them: what a worker anywhere is given."""
+
+    scenario: Scenario
+    sweeps: list[str]
+
+    @property
+    def size(self) -> int:
+        """How many points there are."""
+        return _core.floquet_points(self.sweeps)
+
+    def identity(self) -> list[object]:
+        """Give what tells this sweep from any other."""
+        return ["floquet", self.scenario.toml, self.sweeps]
+
+    def part(self, first: int, last: int) -> tuple[Points, int, int]:
+        """Give what a worker needs."""
+        return self, first, last
+
+    def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
+        """Find the largest moduli at the points from one number to another, in pieces of which each thread takes one."""
+        plan = self.scenario._plan  # noqa: SLF001
+        cuts = range(first, last, PIECE)
+        sizes = [min(PIECE, last - cut) for cut in cuts]
+
+        def piece(number: int, _: int | None, told: Told | None) -> Floats:
+            return _core.floquet_part(plan, self.sweeps, cuts[number], cuts[number] + sizes[number], told)
+
+        found = side_by_side(piece, sizes, threads or os.cpu_count() or 1, told)
+        return Members(np.zeros(1), np.concatenate(list(found)), {})
+
+
+@knows_its_keywords
 def floquet(
     system: str | Path | System | Scenario,
     sweep: SweepOf | None = None,
     *,
+    threads: int | None = None,
+    client: Submits | None = None,
+    tile: int = 256,
+    store: str | Path | None = None,
     progress: Progress = None,
     **settings: Unpack[Settings],
 ) -> Answer:
-    """Compute Floquet multipliers: of the periodic motion near the start, along a parameter, or over two."""
+    """Compute Floquet multipliers: of the periodic motion near the start, along a parameter, or over two.
+
+    Parameters
+    ----------
+    sweep
+        `{"f": (0, 1, 50)}`, or two: first value, last value, how many.
+    threads, client, tile, store
+        Where the points of a sweep are computed, as in `precess.ensemble`; nothing here changes a bit of the result.
+
+    """
     scenario = Scenario.of(system).replace(**settings)
-    sweeps = [] if sweep is None else _sweeps(sweep, 2)
-    with bar(progress, 1.0, "") as told:
-        return Answer(scenario, "Floquet multipliers", _core.floquet(scenario._plan, sweeps, told))  # noqa: SLF001
+    if sweep is None:
+        if client is not None or store is not None:
+            raise _core.InputError("one motion cannot be cut into tiles: a client or a store needs a sweep")
+        with bar(progress, 1.0, "") as told:
+            return Answer(scenario, "Floquet multipliers", _core.floquet(scenario._plan, [], told))  # noqa: SLF001
+    points = Points(scenario, _sweeps(sweep, 2))
+    with bar(progress, points.size, "points") as told:
+        moduli = done(points, client=client, tile=tile, store=store, threads=threads, told=told).numbers
+    return Answer(
+        scenario,
+        "Floquet multipliers",
+        _core.floquet_whole(scenario._plan, points.sweeps, moduli),  # noqa: SLF001
+    )
 
 
+@knows_its_keywords
 def frenet(
     system: str | Path | System | Scenario,
     *,
@@ -263,6 +332,7 @@ class Sensitivity:
         return f"<precess.Sensitivity of {self.scenario.system.id} along {', '.join(self.along)}: {what}>"
 
 
+@knows_its_keywords
 def sensitivity(
     system: str | Path | System | Scenario,
     along: Sequence[str] | str | None = None,

@@ -12,7 +12,7 @@ from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario, table
 from ._sweep import Sweep, axes, same_lengths
-from ._tiles import TILE, in_tiles
+from ._tiles import TILE, done
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -195,8 +195,4 @@ def ensemble(
         same_lengths(found)
     sweep = Sweep(scenario, found, product, keep == "samples")
     with bar(progress, sweep.size, "runs") as told:
-        if client is None and store is None:
-            return Ensemble(sweep, sweep.run(0, sweep.size, threads, told))
-        return Ensemble(
-            sweep, in_tiles(sweep, client=client, tile=tile, store=store, threads=threads, told=told)
-        )
+        return Ensemble(sweep, done(sweep, client=client, tile=tile, store=store, threads=threads, told=told))

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
-from ._names import nearest
+from ._names import knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario
 from ._simulate import run
@@ -84,6 +84,7 @@ class Fit:
         return f"<table><tr><th></th><th>fitted</th><th>95 %</th></tr>{rows}</table>"
 
 
+@knows_its_keywords
 def fit(
     system: str | Path | System | Scenario,
     data: object,

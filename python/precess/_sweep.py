@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from ._core import Floats
     from ._progress import Told
     from ._scenario import Scenario
+
+
+T = TypeVar("T")
 
 
 class Members(NamedTuple):
@@ -35,6 +38,11 @@ class Sweep(NamedTuple):
     axes: dict[str, Floats]
     product: bool
     samples: bool
+
+    def identity(self) -> list[object]:
+        """Give what tells this sweep from any other."""
+        axes = [[name, values.astype("<f8").tobytes().hex()] for name, values in self.axes.items()]
+        return ["ensemble", self.scenario.toml, self.product, self.samples, axes]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -92,7 +100,7 @@ class Sweep(NamedTuple):
         if len(groups) == 1:
             parts: Iterable[_core.Members] = [part(0, threads, told)]
         else:
-            parts = _side_by_side(part, [len(mine) for mine in groups], threads or os.cpu_count() or 1, told)
+            parts = side_by_side(part, [len(mine) for mine in groups], threads or os.cpu_count() or 1, told)
         numbers: Floats = np.empty(0)
         failures: dict[int, str] = {}
         for mine, done in zip(groups, parts, strict=True):
@@ -104,12 +112,12 @@ class Sweep(NamedTuple):
         return Members(times, numbers, dict(sorted(failures.items())))
 
 
-def _side_by_side(
-    part: Callable[[int, int | None, Told | None], _core.Members],
+def side_by_side(
+    part: Callable[[int, int | None, Told | None], T],
     sizes: list[int],
     threads: int,
     told: Told | None,
-) -> Iterator[_core.Members]:
+) -> Iterator[T]:
     """Give the parts in order, computed by so many threads; whatever ends the loop ends them all."""
     from concurrent.futures import ThreadPoolExecutor
 
