@@ -91,11 +91,12 @@ def _pendulum(run: Trajectory, names: set[str]) -> Places | None:
 
 
 def _many(run: Trajectory, names: set[str]) -> Places | None:
-    """Give numbered bodies in the plane."""
-    numbers = [int(name[1:]) for name in names if re.fullmatch(r"x\d+", name) and f"y{name[1:]}" in names]
-    return (
-        Places([_columns(run, f"x{k}", f"y{k}") for k in sorted(numbers)], [], [], 0.0) if numbers else None
-    )
+    """Give numbered bodies in the plane, about their centre of mass where they are known there."""
+    for x, y in (("xg", "yg"), ("x", "y")):
+        numbers = sorted(int(name[len(x) :]) for name in names if re.fullmatch(rf"{x}\d+", name))
+        if numbers and names >= {f"{y}{k}" for k in numbers}:
+            return Places([_columns(run, f"{x}{k}", f"{y}{k}") for k in numbers], [], [], 0.0)
+    return None
 
 
 def _plane(run: Trajectory, names: set[str]) -> Places | None:

@@ -59,7 +59,7 @@ function picture(canvas, run, data, turn) {
     if (projected) drawScene(pen, ink, scene, projected, time, k);
     run.graphs.forEach((graph, number) => {
       const height = HEIGHT / panels;
-      const box = { left: split + 52, top: number * height + 8, right: WIDTH - 8, bottom: (number + 1) * height - 34 };
+      const box = { left: split + 52, top: number * height + 20, right: WIDTH - 8, bottom: (number + 1) * height - 34 };
       drawGraph(pen, ink, graph, data, box, k);
     });
   };
@@ -177,7 +177,7 @@ function drawGraph(pen, ink, graph, data, box, k) {
     pen.fillText(short(value), box.left - 5, py(value) + 4);
   }
   pen.textAlign = "left";
-  pen.fillText(graph.y_label, box.left + 4, box.top + 9);
+  pen.fillText(graph.y_label, box.left, box.top - 7);
   ys.forEach((y, j) => {
     pen.strokeStyle = INKS[j % INKS.length];
     pen.beginPath();

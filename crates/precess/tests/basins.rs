@@ -108,11 +108,13 @@ fn parts_make_the_same_whole_wherever_they_are_cut() {
             let workers = Workers { isa, threads: 1 + k % 2 };
             // Not into equal pieces.
             let cut = |k: usize| members * k * k / 16;
-            let mine = part(&scenario, &grid, cut(k)..cut(k + 1), workers, &mut |_| ControlFlow::Continue(()));
+            let mine =
+                part(&scenario, &grid, cut(k)..cut(k + 1), workers, &mut |_| ControlFlow::Continue(()));
             rows.extend(mine.expect("a part").0);
         }
         let workers = Workers { isa: Isa::Scalar, threads: 1 };
-        let same = whole(&scenario, &grid, &rows, workers, &mut |_| ControlFlow::Continue(())).expect("basins");
+        let same =
+            whole(&scenario, &grid, &rows, workers, &mut |_| ControlFlow::Continue(())).expect("basins");
         let bits = |map: &Basins| map.times.iter().map(|t| t.to_bits()).collect::<Vec<_>>();
         assert_eq!(same.labels, map.labels);
         assert_eq!(bits(&same), bits(&map));
