@@ -10,9 +10,10 @@ import numpy as np
 
 from . import _core
 from ._catalogue import UnknownNameError
+from ._given import SPAN, array, count, number, several, text, texts
 from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
-from ._scenario import Scenario
+from ._scenario import Scenario, table
 from ._sweep import Members, side_by_side
 from ._table import Answer
 from ._tiles import done
@@ -84,7 +85,7 @@ def poincare(
     """
     scenario = Scenario.of(system).replace(**settings)
     with bar(progress, 1.0, "") as told:
-        answer = _core.poincare(scenario._plan, section, direction, x, y, told)  # noqa: SLF001
+        answer = _core.poincare(scenario._plan, text("section", section), direction, x, y, told)  # noqa: SLF001
     return Answer(scenario, "Poincaré section", answer)
 
 
@@ -108,7 +109,10 @@ def portrait(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    windows = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in (window or {}).items()]
+    windows = []
+    for name, ends in table("window", window).items():
+        low, high = several(f"window {name}", "a lowest and a highest value", ends, 2)
+        windows.append(f"{name}={_text(low)}:{_text(high)}")
     with bar(progress, 1.0, "") as told:
         return Answer(scenario, "phase portrait", _core.portrait(scenario._plan, windows, levels, told))  # noqa: SLF001
 
@@ -216,6 +220,8 @@ def floquet(
 
     """
     scenario = Scenario.of(system).replace(**settings)
+    if threads is not None:
+        count("threads", threads)
     if sweep is None:
         if client is not None or store is not None:
             raise _core.InputError("one motion cannot be cut into tiles: a client or a store needs a sweep")
@@ -247,7 +253,7 @@ def frenet(
 
 
 def _text(value: float | str) -> str:
-    return value if isinstance(value, str) else repr(float(value))
+    return value if isinstance(value, str) else repr(number("a range", value))
 
 
 def _sweeps(sweep: SweepOf, most: int) -> list[str]:
@@ -257,14 +263,11 @@ def _sweeps(sweep: SweepOf, most: int) -> list[str]:
     if not isinstance(sweep, Mapping) or not 1 <= len(sweep) <= most:
         how_many = "one parameter" if most == 1 else "one parameter or two"
         raise _core.InputError(f"a sweep goes over {how_many}: {{'frequency': (0.2, 3, 200)}}, for instance")
-    texts = []
+    found = []
     for name, span in sweep.items():
-        try:
-            low, high, points = span
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
-        texts.append(f"{name}={_text(low)}:{_text(high)}:{points}")
-    return texts
+        low, high, points = several(name, SPAN, span, 3)
+        found.append(f"{name}={_text(low)}:{_text(high)}:{points}")
+    return found
 
 
 class Sensitivity:
@@ -360,10 +363,8 @@ def sensitivity(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    names = list(scenario.state) if along is None else [along] if isinstance(along, str) else list(along)
-    moments = _moments(scenario) if times is None else np.atleast_1d(np.asarray(times, dtype=np.float64))
-    if moments.ndim != 1:
-        raise _core.InputError(f"times: an array of one dimension is needed, not of {moments.ndim}")
+    names = list(scenario.state) if along is None else texts("along", along)
+    moments = _moments(scenario) if times is None else array("times", times)
     with bar(progress, 1.0, "") as told:
         found = _core.sensitivities(scenario._plan, names, moments, told)  # noqa: SLF001
     return Sensitivity(scenario, names, moments, found)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
+from ._given import SPAN, count, number, several, text
 from ._names import extra, knows_its_keywords
 from ._progress import bar
 from ._scenario import Scenario
@@ -176,19 +177,16 @@ def basins(
         )
     axes: list[tuple[str, float, float, int]] = []
     for name, span in over.items():
-        try:
-            low, high, points = span
-            axes.append((str(name), float(low), float(high), int(points)))
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
-        if axes[-1][3] < 1:
-            raise _core.InputError(f"{name}: at least one value is needed, not {points}")
+        low, high, points = several(text("over", name), SPAN, span, 3)
+        axes.append((name, number(name, low), number(name, high), count(f"{name}, how many", points)))
+    if threads is not None:
+        count("threads", threads)
     grid = Grid(scenario, axes)
     with bar(progress, 1.0, "") as told:
         if client is None and store is None:
             found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
         else:
-            share = None if told is None else lambda count: told(count / grid.size)
+            share = None if told is None else lambda members: told(members / grid.size)
             rows = in_tiles(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
             found = _core.basins_whole(scenario._plan, axes, wrap, rows, threads)  # noqa: SLF001
     return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)

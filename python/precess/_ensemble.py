@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._catalogue import UnknownNameError
+from ._given import count
 from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario, table
@@ -190,7 +191,9 @@ def ensemble(
         atol=atol,
         options=options,
     )
-    found = axes(table("over", over))
+    found = axes(scenario, table("over", over))
+    if threads is not None:
+        count("threads", threads)
     if not product:
         same_lengths(found)
     sweep = Sweep(scenario, found, product, keep == "samples")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
+from ._given import count as at_least_one
 from ._names import extra, knows_its_keywords
 from ._progress import bar
 from ._scenario import Scenario, table
@@ -186,7 +187,9 @@ def lyapunov_sweep(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    found = axes(table("over", over))
+    found = axes(scenario, table("over", over))
+    if threads is not None:
+        at_least_one("threads", threads)
     if not product:
         same_lengths(found)
     work = Spectra(Sweep(scenario, found, product, samples=False))

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 import numpy as np
 
 from . import _core
+from ._given import array, text
+from ._names import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -140,20 +142,19 @@ def side_by_side(
         pool.shutdown(cancel_futures=True)
 
 
-def axes(over: dict[str, Any]) -> dict[str, Floats]:
-    """Give the axes as arrays."""
+def axes(scenario: Scenario, over: dict[str, Any]) -> dict[str, Floats]:
+    """Give the axes as arrays, each an initial value or a parameter of the scenario."""
     if not over:
         raise _core.InputError(
             "an ensemble needs something to go over: over={'theta': [0.1, 0.2]}, for instance"
         )
+    known = [*scenario.start, *(k for k, x in scenario.parameters.items() if isinstance(x, float))]
     found = {}
     for name, values in over.items():
-        try:
-            axis = np.asarray(values, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise TypeError(f"over {name}: an array of numbers is needed") from None
-        if axis.ndim != 1:
-            raise _core.InputError(f"over {name}: an array of one dimension is needed, not of {axis.ndim}")
+        if text("over", name) not in known:
+            what = f"start or numeric parameter of {scenario.system.id}"
+            raise _core.InputError(nearest(what, name, known))
+        axis = array(f"over {name}", values)
         if axis.size == 0:
             raise _core.InputError(f"over {name}: the array is empty")
         if not np.isfinite(axis).all():

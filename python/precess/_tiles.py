@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from . import _core
+from ._given import count as at_least_one
 from ._names import extra
 from ._sweep import Members
 
@@ -115,10 +116,7 @@ def in_tiles(
 
 
 def _check(client: Submits | None, tile: int) -> None:
-    if not isinstance(tile, (int, np.integer)):
-        raise TypeError(f"tile: a whole number of members is needed, not {type(tile).__name__}")
-    if tile < 1:
-        raise _core.InputError(f"tile: at least one member is needed, not {tile}")
+    at_least_one("tile", tile)
     if client is not None and not callable(getattr(client, "submit", None)):
         kind = type(client).__name__
         raise TypeError(f"client: a Dask client or an executor of concurrent.futures is needed, not {kind}")
