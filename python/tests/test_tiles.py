@@ -63,7 +63,7 @@ def test_a_sweep_that_was_stopped_resumes(alone: precess.Ensemble, tmp_path: Pat
     assert again.numbers.tobytes() == alone.numbers.tobytes()
     with pytest.raises(precess.InputError, match="holds another sweep"):
         precess.ensemble(SWEEP, {**OVER, "d": [0.1, 0.3]}, store=store, tile=100)
-    with pytest.raises(precess.InputError, match="at least one member"):
+    with pytest.raises(precess.InputError, match="tile: at least one is needed, not 0"):
         precess.ensemble(SWEEP, OVER, store=store, tile=0)
 
 
@@ -120,7 +120,7 @@ def test_multipliers_and_exponents_in_tiles_have_the_same_bits(tmp_path: Path) -
 def test_what_is_no_client_is_refused() -> None:
     with pytest.raises(TypeError, match=r"a Dask client or an executor of .* is needed, not int"):
         precess.ensemble(SWEEP, OVER, client=3)  # type: ignore[arg-type]
-    with pytest.raises(TypeError, match="a whole number of members is needed, not float"):
+    with pytest.raises(TypeError, match="tile: a whole number is needed, not float"):
         precess.ensemble(SWEEP, OVER, client=ThreadPoolExecutor(1), tile=1.5)  # type: ignore[arg-type]
     with pytest.raises(TypeError, match="no keyword argument of basins 'clinet': did you mean 'client'"):
         precess.basins("magnetic_pendulum", {"x": (0, 1, 2)}, clinet=None)  # type: ignore[call-arg]
