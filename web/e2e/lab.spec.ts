@@ -449,3 +449,18 @@ test("an exercise is answered, checked by the simulation, opened and printed", a
   await expect(page.locator("[data-scene]")).toBeHidden();
   await expect(page.locator("[data-system]").first()).toBeHidden();
 });
+
+test("a free body is shown as Poinsot saw it, too", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "free_body");
+  let before = "";
+  for (const title of ["Scene", "Ellipsoid on its plane", "Two cones"]) {
+    await page.locator("[data-which]").selectOption(title);
+    await expect.poll(() => picture(page, "[data-scene]")).not.toBe(before);
+    before = await picture(page, "[data-scene]");
+    expect(new Set(before.split(",")).size).toBeGreaterThan(20);
+  }
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-which]")).toHaveCount(0);
+});
