@@ -3,6 +3,7 @@
 use crate::error::{Error, input, quoted, unknown};
 use crate::grid::Axis;
 use crate::hash::Hasher;
+use crate::picture::axis as label_of;
 use crate::plan::Plan;
 use crate::random::Random;
 use crate::scenario::{EnsembleSpec, Scenario, Source};
@@ -84,6 +85,19 @@ impl Roll {
             return input("[ensemble] has no members");
         }
         Ok(Self { names, targets, values, count })
+    }
+
+    /// The two axes, where the members lie on such a grid.
+    pub fn grid(&self) -> Option<[&Axis; 2]> {
+        match &self.values {
+            Values::Grid(axes) if axes.len() == 2 => Some([&axes[0], &axes[1]]),
+            _ => None,
+        }
+    }
+
+    /// Name and unit of what varies.
+    pub fn label(&self, plan: &Plan, name: &str) -> Result<String, Error> {
+        Ok(label_of(&quantity(plan, name)?.1))
     }
 
     /// The values of a member, in the order of the names.
