@@ -62,6 +62,35 @@ test("every scene and every picture belongs to a system", () => {
   for (const path of [...Object.keys(files), ...pictures]) expect(ids).toContain(named(path));
 });
 
+test("every system has a scene and a picture of its own", () => {
+  for (const { id } of systems) {
+    expect(sceneOf(id), id).toBeDefined();
+    expect(pictures, id).toContain(`../src/thumbnails/${id}.webp`);
+  }
+});
+
+test("what touches on the body lies where it touches on the table", () => {
+  const touching = systems.filter(({ id }) => {
+    const scene = sceneOf(id);
+    return scene?.kind === "solid" && scene.follow && scene.paths !== undefined;
+  });
+  expect(touching.length).toBeGreaterThanOrEqual(11);
+  for (const { id } of touching) {
+    const [look, scene] = [usualRun(id), sceneOf(id)];
+    if (scene?.kind !== "solid") continue;
+    const size = scene.size(look);
+    for (const sample of [0, look.times.length >> 2, look.times.length >> 1]) {
+      const { place, turn } = scene.pose(look, sample);
+      const [on] = scene.paths ?? [];
+      const [dx, dy, dz] = turned(turn, on?.at(look, sample) ?? [NaN, NaN, NaN]);
+      const [x, y] = scene.trace(look, sample);
+      // A little outside the body, so that it is seen.
+      for (const apart of [place[0] + dx - x, place[1] + dy - y, place[2] + dz])
+        expect(Math.abs(apart), id).toBeLessThan(0.01 * size);
+    }
+  }
+});
+
 test.each(systems.map(({ id }) => id))("%s is drawn, moves, and is drawn by the usual scene too", (id) => {
   const look = usualRun(id);
   const last = look.times.length - 1;

@@ -30,6 +30,8 @@ export interface Solid {
   pose: (look: Look, sample: number) => { place: Place; turn: Turn };
   /** A path that is drawn as far as it has been run through. */
   trace: (look: Look, sample: number) => Place;
+  /** Further paths, in space or on the body and going with it. */
+  paths?: Path[];
   /** Radius of a thin sphere about the origin on which the trace lies; none where zero. */
   sphere?: (look: Look) => number;
   /** Height of the table; none where absent. */
@@ -42,13 +44,21 @@ export interface Solid {
   from?: { round: number; up: number };
 }
 
+export interface Path {
+  on: "space" | "body";
+  at: (look: Look, sample: number) => Place;
+}
+
+/** One sees through what is of glass, and it throws no shadow. */
+export type Colour = "ink" | "accent" | "brass" | "glass";
+
 /** A part of a body, in body axes, z along axis 3. */
 export type Piece =
-  | { shape: "turned"; profile: [radius: number, z: number][]; colour: "ink" | "accent" | "brass" }
-  | { shape: "box"; size: Place; at?: Place; colour: "ink" | "accent" | "brass" }
-  | { shape: "rod"; from: Place; to: Place; radius: number; colour: "ink" | "accent" | "brass" }
+  | { shape: "turned"; profile: [radius: number, z: number][]; colour: Colour }
+  | { shape: "box"; size: Place; at?: Place; colour: Colour }
+  | { shape: "rod"; from: Place; to: Place; radius: number; colour: Colour }
   /** The surface of a convex body: the point whose outward normal is given. */
-  | { shape: "convex"; surface: (normal: Place) => Place; colour: "ink" | "accent" | "brass" }
+  | { shape: "convex"; surface: (normal: Place) => Place; colour: Colour }
   | { shape: "stripe"; profile: [radius: number, z: number][] };
 
 export type Scene = Flat | Solid;
