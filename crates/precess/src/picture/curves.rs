@@ -78,12 +78,12 @@ pub(super) fn own_inks(chosen: &[&Shown], shown: &[Shown]) -> Vec<usize> {
     }
     let nameless = usize::from(chosen.iter().any(|one| one.label.is_empty()));
     let mut further = 0;
-    let ink = |one: &&Shown| match names.iter().position(|name| *name == one.label) {
-        Some(place) => place + nameless,
-        None => {
-            further += 1;
-            if further == 1 { 0 } else { (names.len() + further - 1) % 8 }
+    let ink = |one: &&Shown| {
+        if let Some(place) = names.iter().position(|name| *name == one.label) {
+            return place + nameless;
         }
+        further += 1;
+        if further == 1 { 0 } else { (names.len() + further - 1) % 8 }
     };
     chosen.iter().map(ink).collect()
 }

@@ -1,5 +1,6 @@
 //! Members sorted by where a quantity ends, and the map of their classes.
 
+use super::members::label;
 use super::{Checkpoint, Survey};
 use crate::error::{Error, input, unknown};
 use crate::figure::{Figure, Map, Panel};
@@ -122,8 +123,8 @@ impl Survey {
         self.rows(checkpoint, &mut |row| classes.push(row[row.len() - 1] as i32))?;
         Ok(Panel {
             title: sorter.label.clone(),
-            x_label: self.roll.label(&self.plan, &x.name)?,
-            y_label: self.roll.label(&self.plan, &y.name)?,
+            x_label: label(&self.plan, &x.name)?,
+            y_label: label(&self.plan, &y.name)?,
             map: Some(Map {
                 x: (x.low, x.high),
                 y: (y.low, y.high),

@@ -95,11 +95,6 @@ impl Roll {
         }
     }
 
-    /// Name and unit of what varies.
-    pub fn label(&self, plan: &Plan, name: &str) -> Result<String, Error> {
-        Ok(label_of(&quantity(plan, name)?.1))
-    }
-
     /// The values of a member, in the order of the names.
     pub fn values(&self, member: usize) -> Vec<f64> {
         match &self.values {
@@ -156,6 +151,11 @@ impl Roll {
         let all = self.names.iter().zip(&self.targets).zip(values);
         all.filter(|((_, target), _)| **target == Target::Start).map(|((name, _), x)| (name.as_str(), *x))
     }
+}
+
+/// Name and unit of what varies.
+pub(super) fn label(plan: &Plan, name: &str) -> Result<String, Error> {
+    Ok(label_of(&quantity(plan, name)?.1))
 }
 
 /// The quantity of a name: a start, or a parameter that is a number.
