@@ -424,3 +424,43 @@ test("a magnet is moved on the map, by hand and by key, and the map is drawn ane
   await expect(field).toHaveValue(/^\[\[0\.4\d*; 0; 1\]/);
   await expect(page.locator("[data-handle^='magnets 1']")).toBeFocused();
 });
+
+test("an exercise is answered, checked by the simulation, opened and printed", async ({ page }) => {
+  await open(page);
+  await page.locator("[data-exercise-list]").click();
+  const card = page.locator("[data-exercise=taut-string]");
+  const field = card.getByLabel("Your answer");
+  await field.fill("6");
+  await field.press("Enter");
+  await expect(card.locator("[data-verdict=small]")).toContainText("Too small");
+  await field.fill("much");
+  await field.press("Enter");
+  await expect(card.getByRole("status")).toContainText("not a number");
+  await field.fill("(5*9,81)^0.5");
+  await card.getByRole("button", { name: "Check" }).click();
+  await expect(card.locator("[data-verdict=right]")).toContainText("7.0036 rad/s");
+  expect(await barriers(page, "[data-exercises]")).toEqual([]);
+  await card.getByRole("button", { name: "Open the run" }).click();
+  await expect(page.locator("[data-field=theta_dot]")).toHaveValue("5");
+  await page.getByLabel("This system only").check();
+  await expect(page.locator("[data-exercise=ellipse]")).toHaveCount(0);
+  await page.emulateMedia({ media: "print" });
+  await expect(card).toBeVisible();
+  await expect(page.locator("[data-scene]")).toBeHidden();
+  await expect(page.locator("[data-system]").first()).toBeHidden();
+});
+
+test("a free body is shown as Poinsot saw it, too", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "free_body");
+  let before = "";
+  for (const title of ["Scene", "Ellipsoid on its plane", "Two cones"]) {
+    await page.locator("[data-which]").selectOption(title);
+    await expect.poll(() => picture(page, "[data-scene]")).not.toBe(before);
+    before = await picture(page, "[data-scene]");
+    expect(new Set(before.split(",")).size).toBeGreaterThan(20);
+  }
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-which]")).toHaveCount(0);
+});

@@ -11,6 +11,7 @@ import { Pen } from "../src/scenes/kit/pen";
 import type { Place, Scene } from "../src/scenes/kit/scene";
 import { axis, usual } from "../src/scenes/kit/usual";
 import { polynomial } from "../src/scenes/kit/landscape";
+import { cones, ellipsoid, product, upright } from "../src/scenes/kit/poinsot";
 import { supportOf, surface, turned } from "../src/scenes/kit/table";
 import { load } from "./builds";
 
@@ -171,6 +172,34 @@ test("bodies point where the core says", () => {
       });
       if (look.has("qw")) expect(axis(look, sample)[2]).toBeCloseTo(look.at("axis_z", sample), 6);
     }
+  }
+});
+
+test("the polhode rolls on the herpolhode, which lies in the invariable plane", () => {
+  const look = usualRun("free_body");
+  const last = look.times.length - 1;
+  const up = upright(look);
+  const l: Place = [look.at("Lx", 0), look.at("Ly", 0), look.at("Lz", 0)];
+  expect(turned(up, l)[2]).toBeCloseTo(Math.hypot(...l), 12);
+  const [once, twice] = [turned(product(up, up), l), turned(up, turned(up, l))];
+  once.forEach((x, axis) => {
+    expect(x).toBeCloseTo(twice[axis] ?? NaN, 12);
+  });
+  for (const scene of [ellipsoid, cones]) {
+    const [polhode] = scene.paths ?? [];
+    const heights: number[] = [];
+    for (let k = 0; k <= last; k += 97) {
+      const touch = turned(scene.pose(look, k).turn, polhode?.at(look, k) ?? [NaN, NaN, NaN]);
+      const there = scene.trace(look, k);
+      // Both are drawn off by a little, so that they are seen: the plane's by a fixed length, the body's by a share.
+      const off = 0.004 + 0.002 * Math.hypot(...touch) + 1e-6;
+      touch.forEach((x, axis) => {
+        expect(Math.abs(x - (there[axis] ?? NaN))).toBeLessThan(off);
+      });
+      heights.push(there[2]);
+    }
+    expect(Math.max(...heights) - Math.min(...heights)).toBeLessThan(1e-7);
+    if (scene.table) expect(heights[0]).toBeCloseTo(scene.table(look) ?? NaN, 2);
   }
 });
 

@@ -94,6 +94,11 @@ export class Lab {
     return this.#runner.run(text, progress);
   }
 
+  /** A run beside the one at hand, for whoever asks something of it. */
+  compute(text: string): Promise<Done> {
+    return this.#done(text);
+  }
+
   get scenario(): Scenario {
     return this.#history[this.#at] ?? scenarioOf(first);
   }

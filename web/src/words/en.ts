@@ -85,6 +85,7 @@ export const en = {
   invariants: "Drift of the invariants",
   map: "Map of starts",
   colour: "colour",
+  exercises: "Exercises",
   mapHint:
     "Each point is a start; its colour is where the run from it is when it ends. Nothing is proved about what happens later.",
   mapNearest:

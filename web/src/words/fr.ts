@@ -85,6 +85,7 @@ export const fr: Words = {
   invariants: "Dérive des invariants",
   map: "Carte des départs",
   colour: "couleur",
+  exercises: "Exercices",
   mapHint:
     "Chaque point est un départ ; sa couleur dit où en est le mouvement à la fin du calcul. Rien n'est prouvé sur la suite.",
   mapNearest:

@@ -94,10 +94,13 @@ export class Studio {
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
     scene.add(this.#body);
+    for (const piece of solid.still?.(look) ?? []) scene.add(...this.#piece(piece, ink));
     this.#scene = scene;
-    this.#lines = [{ on: "space" as const, at: solid.trace }, ...(solid.paths ?? [])].map((path, k) =>
-      this.#path(path, look, k === 0 || path.on === "space" ? ink.accent : GOLD),
-    );
+    const paths: Path[] = [{ on: "space", at: solid.trace }, ...(solid.paths ?? [])];
+    this.#lines = paths.map((path) => {
+      const plain = path.on === "body" ? GOLD : ink.accent;
+      return this.#path(path, look, path.colour ? ink.ink : plain);
+    });
   }
 
   #scaled([x, y, z]: Place): Place {
@@ -164,6 +167,14 @@ export class Studio {
       return [rod];
     }
     if (piece.shape === "convex") return this.#convex(piece, ink);
+    if (piece.shape === "fan") {
+      const at = (k: number) => this.#scaled(piece.points[k] ?? [0, 0, 0]);
+      const triangles = piece.points.slice(1).flatMap((_, k) => [0, 0, 0, ...at(k), ...at(k + 1)]);
+      const fan = new BufferGeometry();
+      fan.setAttribute("position", new BufferAttribute(new Float32Array(triangles), 3));
+      fan.computeVertexNormals();
+      return [this.#solidOf(fan, piece.colour, ink)];
+    }
     const stripe = piece.shape === "stripe";
     const points = piece.profile.map(
       ([r, z]) => new Vector2((r / this.#size) * (stripe ? 1.006 : 1), z / this.#size),
