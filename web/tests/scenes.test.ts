@@ -200,6 +200,8 @@ test("the polhode rolls on the herpolhode, which lies in the invariable plane", 
       heights.push(there[2]);
     }
     expect(Math.max(...heights) - Math.min(...heights)).toBeLessThan(1e-7);
+    const momentum = vectorsOf(scene, look).find(({ name }) => name === "momentum");
+    expect(momentum?.by(last)[2]).toBeCloseTo(Math.hypot(...l), 7);
     if (scene.table) expect(heights[0]).toBeCloseTo(scene.table(look) ?? NaN, 2);
   }
 });

@@ -46,7 +46,10 @@ export function vectorsOf(solid: Solid, look: Look): Vector[] {
       return sum([psi, [0, 0, 1]], [theta, node(k)], [phi, axis(k)]);
     });
 
-  if (has("Lx", "Ly", "Lz")) add("momentum", place, columns("Lx", "Ly", "Lz"));
+  // Where the picture turns space, what is given in space turns with it.
+  const frame = solid.frame?.(look) ?? ([0, 0, 0, 1] as const);
+  const momenta = columns("Lx", "Ly", "Lz");
+  if (has("Lx", "Ly", "Lz")) add("momentum", place, (k) => turned([...frame], momenta(k)));
   else if (has("L_x", "L_y", "L_z")) add("momentum", place, columns("L_x", "L_y", "L_z"));
   else if (has("L_A", "L_A3", "L_Az", "omega1") && !has("qw"))
     // Of a symmetric top: along the axis, along the vertical, and the rest along the node, with theta.
