@@ -6,7 +6,7 @@ import { ticks } from "../src/draw/ticks";
 import { advance, nearest, sampleAt } from "../src/lab/clock";
 import { command } from "../src/lab/export";
 import { decode, encode } from "../src/lab/link";
-import { fromField, inField, shown } from "../src/lab/number";
+import { fromField, inField, shown, unitText } from "../src/lab/number";
 import { blame, by, exact, fork, fresh, round125, toml, withValue } from "../src/lab/scenario";
 import { scenarioOf, Unread } from "../src/lab/toml";
 import { BUILDS, load } from "./builds";
@@ -200,6 +200,10 @@ describe("numbers", () => {
     expect(inField("0.5", "fr")).toBe("0,5");
     expect(inField("[0.5; 1]", "fr")).toBe("[0.5; 1]");
     expect([fromField(" 0,5 "), fromField("−2"), fromField("30 deg")]).toEqual(["0.5", "-2", "30 deg"]);
+  });
+
+  it("have units as people write them", () => {
+    expect(["kg m^2/s", "1/s^4", "1", "", "rad"].map(unitText)).toEqual(["kg m²/s", "1/s⁴", "", "", "rad"]);
   });
 
   it("are kept exactly", () => {

@@ -44,6 +44,7 @@ describe.each(BUILDS)("%s", (build) => {
       expect(state.length).toBe(2);
       expect(Math.abs(state[0] ?? NaN)).toBeLessThan(1e-12);
     }
+    expect(run.report.event_texts).toEqual([null]);
     const stopped = core.run(`${PENDULUM}[[event]]\nname = "down"\nwhen = "theta = 0"\nstop = true\n`);
     expect(stopped.report.stopped_by).toBe("down");
     expect(stopped.column("t").at(-1)).toBe(events[0]?.t);

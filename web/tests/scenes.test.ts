@@ -8,10 +8,12 @@ import { road } from "../src/scenes/car_suspension";
 import { wire } from "../src/scenes/bead_on_curve";
 import { chain } from "../src/scenes/n_pendulum";
 import { Pen } from "../src/scenes/kit/pen";
-import type { Place, Scene } from "../src/scenes/kit/scene";
+import { turnOf, type Place, type Scene } from "../src/scenes/kit/scene";
 import { axis, usual } from "../src/scenes/kit/usual";
 import { polynomial } from "../src/scenes/kit/landscape";
+import { cones, ellipsoid, product, upright } from "../src/scenes/kit/poinsot";
 import { supportOf, surface, turned } from "../src/scenes/kit/table";
+import { largest, vectorsOf } from "../src/scenes/kit/vectors";
 import { load } from "./builds";
 
 const core = await load("precess");
@@ -174,6 +176,36 @@ test("bodies point where the core says", () => {
   }
 });
 
+test("the polhode rolls on the herpolhode, which lies in the invariable plane", () => {
+  const look = usualRun("free_body");
+  const last = look.times.length - 1;
+  const up = upright(look);
+  const l: Place = [look.at("Lx", 0), look.at("Ly", 0), look.at("Lz", 0)];
+  expect(turned(up, l)[2]).toBeCloseTo(Math.hypot(...l), 12);
+  const [once, twice] = [turned(product(up, up), l), turned(up, turned(up, l))];
+  once.forEach((x, axis) => {
+    expect(x).toBeCloseTo(twice[axis] ?? NaN, 12);
+  });
+  for (const scene of [ellipsoid, cones]) {
+    const [polhode] = scene.paths ?? [];
+    const heights: number[] = [];
+    for (let k = 0; k <= last; k += 97) {
+      const touch = turned(scene.pose(look, k).turn, polhode?.at(look, k) ?? [NaN, NaN, NaN]);
+      const there = scene.trace(look, k);
+      // Both are drawn off by a little, so that they are seen: the plane's by a fixed length, the body's by a share.
+      const off = 0.004 + 0.002 * Math.hypot(...touch) + 1e-6;
+      touch.forEach((x, axis) => {
+        expect(Math.abs(x - (there[axis] ?? NaN))).toBeLessThan(off);
+      });
+      heights.push(there[2]);
+    }
+    expect(Math.max(...heights) - Math.min(...heights)).toBeLessThan(1e-7);
+    const momentum = vectorsOf(scene, look).find(({ name }) => name === "momentum");
+    expect(momentum?.by(last)[2]).toBeCloseTo(Math.hypot(...l), 7);
+    if (scene.table) expect(heights[0]).toBeCloseTo(scene.table(look) ?? NaN, 2);
+  }
+});
+
 test("a body touches the table where the core says, and hangs together", () => {
   const touching = systems.filter(({ observables }) => observables.some(({ name }) => name === "contact3"));
   for (const { id } of touching) {
@@ -198,4 +230,71 @@ test("a body touches the table where the core says, and hangs together", () => {
   const normal: Place = [0, 0.6, 0.8];
   const reach = Math.hypot(2 * 0.6, 0.8);
   expect(shape(normal)).toEqual([0, 0.3 + (4 * 0.6) / reach, 0.1 + 0.4 + 0.8 / reach]);
+});
+
+test("vectors are the core's own", () => {
+  const of = (id: string, name: string) => {
+    const [look, scene] = [usualRun(id), sceneOf(id)];
+    const solid = scene ?? usual(look);
+    if (solid.kind !== "solid") throw new Error(id);
+    const vector = vectorsOf(solid, look).find((one) => one.name === name);
+    if (!vector) throw new Error(`${id} has no ${name}`);
+    return { look, vector };
+  };
+  const samples = (look: Look) =>
+    [0, 0.21, 0.5, 0.93].map((share) => Math.round(share * (look.times.length - 1)));
+  // A free body tells its angular velocity and momentum along the axes of space.
+  for (const [name, columns] of [
+    ["omega", ["omega_x", "omega_y", "omega_z"]],
+    ["momentum", ["Lx", "Ly", "Lz"]],
+  ] as const) {
+    const { look, vector } = of("free_body", name);
+    for (const sample of samples(look))
+      columns.forEach((column, k) => {
+        expect(vector.by(sample)[k], column).toBeCloseTo(look.at(column, sample), 6);
+      });
+  }
+  // A top tells its angular velocity in its own frame; by the rates of its angles it is the same.
+  const { look, vector } = of("gyroscope", "omega");
+  const momentum = of("gyroscope", "momentum").vector;
+  for (const sample of samples(look)) {
+    const [psi, theta] = [look.at("psi", sample), look.at("theta", sample)];
+    const [a, b, c] = ["psi_dot", "theta_dot", "phi_dot"].map((name) => look.at(name, sample)) as Place;
+    const [s, q] = [Math.sin(theta), Math.cos(theta)];
+    const rates = [
+      b * Math.cos(psi) + c * s * Math.sin(psi),
+      b * Math.sin(psi) - c * s * Math.cos(psi),
+      a + c * q,
+    ];
+    const size = Math.hypot(...rates);
+    vector.by(sample).forEach((x, k) => {
+      expect((x - (rates[k] ?? NaN)) / size).toBeCloseTo(0, 9);
+    });
+    const l = momentum.by(sample);
+    expect(Math.hypot(...l) / look.at("L_A", sample)).toBeCloseTo(1, 9);
+    expect(l[2] / look.at("L_Az", sample)).toBeCloseTo(1, 6);
+    // Of a symmetric top axis, angular velocity and momentum lie in a plane, the last two on the same side.
+    const [axis, omega] = [turned(turnOf(psi, theta, 0), [0, 0, 1]), vector.by(sample)];
+    const across = (v: Place): Place => {
+      const along = v.reduce((sum, x, k) => sum + x * (axis[k] ?? 0), 0);
+      return v.map((x, k) => (x - along * (axis[k] ?? 0)) / Math.hypot(...v)) as Place;
+    };
+    const [p, r] = [across(omega), across(l)];
+    const same = p.reduce((sum, x, k) => sum + x * (r[k] ?? 0), 0);
+    expect(same).toBeCloseTo(Math.hypot(...p) * Math.hypot(...r), 9);
+  }
+  // A symmetric body tells both ways.
+  const free = of("symmetric_body", "momentum");
+  expect(Math.hypot(...free.vector.by(7)) / free.look.at("L", 7)).toBeCloseTo(1, 9);
+  // Whatever is shown of whichever body is a number.
+  for (const { id } of systems) {
+    const run = usualRun(id);
+    const solid = sceneOf(id) ?? usual(run);
+    if (solid.kind !== "solid") continue;
+    for (const one of vectorsOf(solid, run)) {
+      expect(largest(one, run), `${id} ${one.name}`).toBeGreaterThanOrEqual(0);
+      for (const x of [...one.by(3), ...one.from(3)])
+        expect(x, `${id} ${one.name}`).toSatisfy(Number.isFinite);
+    }
+  }
 });

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::list;
 use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
-use crate::run::unknown_suffix;
+use crate::run::{finish_plot, open_plot, unknown_suffix};
 use crate::subject::{assignment, scenario};
 use npyz::WriterBuilder;
 use npyz::zip::write::FileOptions;
@@ -27,16 +27,14 @@ pub fn ensemble(arguments: &args::Ensemble) -> Result<(), Failure> {
         let (name, value) = assignment(given)?;
         Scenario::set(&mut scenario.run, name, value);
     }
-    if subject.plot.is_some() {
-        return Err(Failure::Wrong("an ensemble has no picture of its own: -o writes a table".into()));
-    }
     let folder = Path::new(&subject.name).parent().unwrap_or(Path::new(""));
     let survey = Survey::new(&scenario, folder)?;
     let workers = Workers::chosen()?;
     if survey.members() > MANY && !arguments.yes {
         return Err(too_many(&survey, workers)?);
     }
-    let (mut file, mut to_standard_output) = (None, subject.output.is_none() && !arguments.hash);
+    let (mut file, mut to_standard_output) =
+        (None, subject.output.is_none() && subject.plot.is_none() && !arguments.hash);
     let mut checkpoint = Checkpoint::in_memory();
     match subject.output.as_deref() {
         None => {}
@@ -51,6 +49,11 @@ pub fn ensemble(arguments: &args::Ensemble) -> Result<(), Failure> {
         return Err(Failure::Wrong(
             "--hash and a table would both write to standard output: choose one".into(),
         ));
+    }
+
+    let plot = subject.plot.as_deref().map(open_plot).transpose()?;
+    if plot.is_some() {
+        survey.has_map()?;
     }
 
     let began = Instant::now();
@@ -80,6 +83,9 @@ pub fn ensemble(arguments: &args::Ensemble) -> Result<(), Failure> {
         }
         Some((output, _)) => output.finish(|file| csv(file, &survey, &mut checkpoint))?,
         None => {}
+    }
+    if let Some(plot) = plot {
+        finish_plot(&survey.figure(&mut checkpoint)?, plot)?;
     }
     if arguments.hash {
         list::print(&format!("{}\n", survey.hash(&mut checkpoint)?))?;

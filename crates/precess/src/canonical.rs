@@ -45,6 +45,9 @@ fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
         writeln!(out, "\n[[figure]]")?;
         lines(out, &figure(panel))?;
     }
+    if let Some(ensemble) = &plan.ensemble {
+        write!(out, "\n{}", ensemble.toml())?;
+    }
     Ok(())
 }
 
@@ -133,7 +136,9 @@ fn figure(panel: &PanelPlan) -> Entries {
     let spec = &panel.spec;
     let mut entries: Entries =
         vec![("kind".into(), text(spec.kind.name())), ("title".into(), text(&spec.title))];
-    for (name, words) in [("x", &spec.x), ("y", &spec.y), ("of", &spec.of), ("grid", &spec.grid)] {
+    let words =
+        [("x", &spec.x), ("y", &spec.y), ("names", &spec.names), ("of", &spec.of), ("grid", &spec.grid)];
+    for (name, words) in words {
         if !words.is_empty() {
             entries.push((name.into(), list(words.iter().map(|w| text(w)))));
         }

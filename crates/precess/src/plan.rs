@@ -2,7 +2,7 @@
 
 use crate::error::{Error, input, unknown};
 use crate::family::{FamilyMember, members};
-use crate::scenario::{FigureSpec, Scenario};
+use crate::scenario::{EnsembleSpec, FigureSpec, Scenario};
 use crate::value::Value;
 use crate::{catalogue, panel, resolve};
 use precess_integrate::{AnyMethod, Kind, Needs, Options};
@@ -93,6 +93,8 @@ pub struct Plan {
     pub members: Vec<FamilyMember>,
     /// Panels of the picture, as the scenario gives them.
     pub panels: Vec<PanelPlan>,
+    /// The ensemble that the scenario asks for besides; its panel runs it.
+    pub ensemble: Option<EnsembleSpec>,
 }
 
 /// More samples than this do not fit a table that anybody reads.
@@ -132,6 +134,7 @@ impl Plan {
             step: Step::Fixed(card.defaults.dt),
             options: Options::default(),
             watches: vec![],
+            ensemble: scenario.ensemble.clone(),
             label: scenario.label.clone(),
             members: vec![],
             panels: vec![],

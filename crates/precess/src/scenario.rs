@@ -6,7 +6,7 @@ mod family;
 mod figure;
 mod reading;
 
-pub use ensemble::{EnsembleSpec, Kept, Source};
+pub use ensemble::{Classes, EnsembleSpec, Kept, Source};
 pub use family::FamilySpec;
 pub(crate) use figure::STROKES;
 pub use figure::{FigureKind, FigureSpec};

@@ -210,3 +210,69 @@ fn what_makes_no_sense_is_one_sentence() {
     let none = Survey::new(&Scenario::of("pendulum"), Path::new(".")).err().expect("refused").to_string();
     assert!(none.contains("[ensemble]"));
 }
+
+/// The tops of a map: upright is stable below sqrt(m g R^3 I3 alpha) (1 - alpha)^2 / sqrt(I1/I3 - 1 + alpha), upside down
+/// above the threshold of physics (`models/tests/thresholds.rs`); each is met from both sides, under two frictions.
+#[test]
+fn tippe_tops_are_sorted_by_how_they_end() {
+    let text = "[system]\nid = \"tippe_top\"\nparameters = { epsilon = 0.05 }\n[start]\ntheta = 0.1\nomega1 = 0\n\
+        [run]\nmethod = \"rk4\"\ndt = 1e-3\nuntil = 40\n[ensemble]\n\
+        list = { mu = [0.2, 0.2, 0.2, 0.2, 0.4, 0.4, 0.4, 0.4], omega3 = [24.9, 33, 69, 85, 24.9, 33, 69, 85] }\n\
+        classes = { of = \"theta\", at = [\"15 deg\", \"150 deg\"] }\n";
+    let survey = survey(text);
+    assert_eq!(survey.columns.last().map(String::as_str), Some("class"));
+    let (rows, hash) = rows(&survey, ONE);
+    let found: Vec<f64> = rows.iter().map(|row| row[row.len() - 1]).collect();
+    assert_eq!(found, [0.0, 1.0, 1.0, 2.0, 0.0, 1.0, 1.0, 2.0]);
+    for isa in Isa::available() {
+        assert_eq!(self::rows(&survey, Workers { isa, threads: 2 }).1, hash, "{isa:?}");
+    }
+}
+
+/// A map has the grid's axes, the first name running fastest, and classes named after their borders.
+#[test]
+fn an_ensemble_of_a_grid_has_a_map() {
+    let text = "[system]\nid = \"pendulum\"\nparameters = { g = 1 }\n[run]\nuntil = 8\n\
+        [[event]]\nwhen = \"theta = 0\"\n[ensemble]\nkeep = \"passage\"\n\
+        grid = { theta = \"0.5:2.5:3\", theta_dot = \"-1:1:2\" }\nclasses = { of = \"t\", at = [1, \"3 s\"] }\n";
+    let survey = survey(text);
+    let mut checkpoint = Checkpoint::in_memory();
+    assert!(survey.run(&mut checkpoint, ONE, &mut go_on).expect("runs"));
+    let figure = survey.figure(&mut checkpoint).expect("a map");
+    let map = figure.panels[0].map.as_ref().expect("a map");
+    assert_eq!(map.names, ["below 1 s", "1 to 3 s", "above 3 s"]);
+    assert_eq!((map.columns, map.x, map.y), (3, (0.5, 2.5), (-1.0, 1.0)));
+    let mut times = vec![];
+    survey.rows(&mut checkpoint, &mut |row| times.push(row[2])).expect("in memory");
+    let classes: Vec<i32> = times
+        .iter()
+        .map(|t| if t.is_nan() { -1 } else { i32::from(*t >= 1.0) + i32::from(*t >= 3.0) })
+        .collect();
+    assert_eq!(map.classes, classes);
+    // Thrown inwards the steepest is soonest; thrown outwards from 2.5 it goes over the top and never passes theta = 0.
+    assert_eq!((classes[0], classes[5]), (0, -1));
+    assert!(Scenario::parse(&figure.scenario).expect("a scenario").ensemble.is_some());
+}
+
+#[test]
+fn classes_that_make_no_sense_are_refused_in_a_sentence() {
+    let with = |classes: &str| {
+        let text = format!(
+            "precess = 1\n[system]\nid = \"pendulum\"\n[ensemble]\ngrid = {{ theta = \"0:1:2\" }}\n{classes}\n"
+        );
+        let survey = Scenario::parse(&text).and_then(|s| Survey::new(&s, Path::new(".")));
+        survey.and_then(|s| s.has_map()).expect_err(classes).to_string()
+    };
+    for (classes, why) in [
+        ("classes = { of = \"thta\", at = [1] }", "did you mean 'theta'"),
+        ("classes = { of = \"theta\", at = [2, 1] }", "must rise"),
+        ("classes = { of = \"theta\", at = [1], names = [\"a\"] }", "2 classes, not 1"),
+        ("classes = { of = \"theta\", at = [\"1 kg\"] }", "rad"),
+        ("classes = { of = \"theta\" }", "classes are written as"),
+        ("classes = { of = \"theta\", at = [1] }", "a grid of two names"),
+        ("", "a map needs classes"),
+    ] {
+        let sentence = with(classes);
+        assert!(sentence.contains(why) && sentence.lines().count() == 1, "{sentence}");
+    }
+}

@@ -1,6 +1,6 @@
 //! What is said of a result beside its numbers, as JSON.
 
-use precess::system::{Column, ColumnKind, Trajectory};
+use precess::system::{Column, ColumnKind, Event, Trajectory};
 use precess::{Drift, Members, Plan, Provenance, scenario_toml};
 use serde_json::{Value, json};
 
@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 pub fn run(
     trajectory: &Trajectory,
     events: &[String],
+    known: &[Event],
     provenance: &Provenance,
     drifts: &[Drift],
     stopped_by: Option<&str>,
@@ -17,6 +18,7 @@ pub fn run(
         "rows": trajectory.len(),
         "columns": trajectory.columns.iter().map(column).collect::<Vec<_>>(),
         "events": events,
+        "event_texts": events.iter().map(|name| told(name, known)).collect::<Vec<_>>(),
         "drifts": drifts.iter().map(drift).collect::<Vec<_>>(),
         "stopped_by": stopped_by,
         "failure": failure,
@@ -27,6 +29,12 @@ pub fn run(
         "rejections": provenance.rejections,
         "evaluations": provenance.evaluations,
     })
+}
+
+/// What a system says of an event of its own; null for one that the scenario watches.
+fn told(name: &str, known: &[Event]) -> Value {
+    let event = known.iter().find(|event| event.name == name);
+    event.map_or(Value::Null, |Event { text, .. }| json!({ "en": text.en, "fr": text.fr }))
 }
 
 /// The report of an ensemble; the scenario is the one that its members have in common.

@@ -29,7 +29,9 @@ pub fn run(text: &str, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, Stri
     let kept = Kept::from(outcome.trajectory);
     let Kept::Run { trajectory, names, .. } = &kept else { unreachable!("a trajectory is a run") };
     let stopped_by = outcome.stopped_by.as_deref();
-    let report = report::run(trajectory, names, &outcome.provenance, &drifts, stopped_by, failure.as_deref());
+    let known = &plan.layout.events;
+    let report =
+        report::run(trajectory, names, known, &outcome.provenance, &drifts, stopped_by, failure.as_deref());
     Ok((kept, report.to_string()))
 }
 

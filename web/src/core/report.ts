@@ -1,5 +1,7 @@
 // What the core says of a result beside its numbers (crates/wasm/src/report.rs).
 
+import type { Text } from "./catalogue";
+
 export interface Column {
   name: string;
   /** Empty for a pure number. */
@@ -21,6 +23,8 @@ export interface Report {
   columns: Column[];
   /** Names of the events that were met. */
   events: string[];
+  /** What the system says of each; null for one that the scenario watches. */
+  event_texts: (Text | null)[];
   drifts: Drift[];
   /** The watched event that ended the run. */
   stopped_by: string | null;

@@ -5,21 +5,16 @@ import first from "../first.toml?raw";
 import firstPage from "virtual:first-page";
 import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
+import { listed } from "./groups";
 import { remember, remembered } from "./memory";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
 import { Cancelled, Refusal, Runner, type Done } from "./runner";
-import { blame, by, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
+import { blame, fork, methodOf, systemOf, toml, type Scenario } from "./scenario";
 import { scenarioOf, systemIn } from "./toml";
+import type { Rival, Variation } from "./variation";
 
 export type Theme = "auto" | "light" | "dark" | "projector";
-
-/** A run under another method, drawn over the one at hand. */
-export interface Rival {
-  method: Method;
-  look: Look | undefined;
-  refusal: string;
-}
 
 const FIRST = toml(scenarioOf(first));
 
@@ -62,7 +57,11 @@ export class Lab {
   speed = $state(1);
   sample = $derived(this.look ? sampleAt(this.look.times, this.t) : 0);
 
+  /** What the run at hand is compared with, where that is another run. */
+  variations = $state.raw<Variation[]>([]);
   rivals = $state.raw<Rival[]>([]);
+  /** Of the bodies that are too many for a list, the one at hand. */
+  group = $state("");
 
   static async open(): Promise<Lab> {
     const language = languageOf();
@@ -92,6 +91,11 @@ export class Lab {
   async #done(text: string, progress?: (t: number) => void): Promise<Done> {
     if (text !== FIRST) await this.#everythingElse();
     return this.#runner.run(text, progress);
+  }
+
+  /** A run beside the one at hand, for whoever asks something of it. */
+  compute(text: string): Promise<Done> {
+    return this.#done(text);
   }
 
   get scenario(): Scenario {
@@ -229,7 +233,7 @@ export class Lab {
       if (fresh) this.speed = pace(this.look.times);
       const ends = [this.look.times[0] ?? 0, this.look.times.at(-1) ?? 0];
       if (fresh || this.t < Math.min(...ends) || this.t > Math.max(...ends)) this.t = ends[0] ?? 0;
-      void this.#compare(this.rivals.map(({ method }) => method));
+      void this.#compare();
     } catch (error) {
       if (scenario !== this.scenario) return;
       if (error instanceof Cancelled) this.notice = this.words.cancelled;
@@ -243,37 +247,39 @@ export class Lab {
     this.#runner.cancel();
   }
 
-  /** Runs the scenario under other methods too. */
-  rival(method: Method): void {
-    const methods = this.rivals.map((rival) => rival.method);
-    const without = methods.filter(({ id }) => id !== method.id);
-    void this.#compare(without.length < methods.length ? without : [...methods, method]);
+  compared({ id }: Variation): boolean {
+    return this.variations.some((variation) => variation.id === id);
+  }
+  /** Compares the run with variations of it, or no longer. */
+  vary(...variations: Variation[]): void {
+    const others = this.variations.filter(({ id }) => variations.every((variation) => variation.id !== id));
+    this.variations = others.length < this.variations.length ? others : [...others, ...variations];
+    void this.#compare();
   }
 
-  async #compare(methods: Method[]): Promise<void> {
-    const { scenario } = this;
-    const others = methods.filter(({ id }) => id !== this.method?.id);
-    this.rivals = others.map(
-      (method) =>
-        this.rivals.find((rival) => rival.method === method && rival.look?.result.scenario === scenario) ?? {
-          method,
-          look: undefined,
-          refusal: "",
-        },
-    );
-    for (const method of others) {
-      if (this.rivals.some((rival) => rival.method === method && rival.look?.result.scenario === scenario))
-        continue;
+  async #compare(): Promise<void> {
+    const { scenario, method, variations } = this;
+    const wanted = variations.flatMap((variation) => {
+      const varied = variation.of(scenario, method);
+      const known = this.rivals.find((rival) => rival.variation === variation);
+      const look = known?.look?.result.scenario === scenario ? known.look : undefined;
+      return varied ? [{ varied, rival: { variation, look, refusal: "" } }] : [];
+    });
+    this.rivals = wanted.map(({ rival }) => rival);
+    for (const { varied, rival } of wanted) {
+      if (rival.look) continue;
       let look: Look | undefined;
       let refusal = "";
       try {
-        look = new Look({ ...(await this.#done(toml(by(scenario, method)))), scenario });
+        look = new Look({ ...(await this.#done(toml(varied))), scenario });
       } catch (error) {
         if (error instanceof Cancelled) return;
         refusal = error instanceof Error ? error.message : String(error);
       }
-      if (scenario !== this.scenario) return;
-      this.rivals = this.rivals.map((rival) => (rival.method === method ? { method, look, refusal } : rival));
+      if (scenario !== this.scenario || variations !== this.variations) return;
+      this.rivals = this.rivals.map((one) =>
+        one.variation === rival.variation ? { ...one, look, refusal } : one,
+      );
     }
   }
 
@@ -321,14 +327,13 @@ export class Lab {
   describe(): void {
     const { look, system, sample } = this;
     if (!look || !system) return;
-    const { columns } = look.result.report;
-    const values = columns
-      .filter(({ kind }) => kind === "time" || kind === "state")
-      // Nobody listens to hundreds of numbers.
-      .slice(0, 16)
-      .map(({ name, unit }) =>
-        `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${unit}`.trim(),
-      );
+    // Nobody listens to hundreds of numbers.
+    const names = listed(look.state, this.group);
+    const values = ["t", ...names].map((name) =>
+      `${this.meaning(name)} ${this.number(look.at(name, sample), 3)} ${look.unit(name)}`.trim(),
+    );
+    const unread = look.state.length - names.length;
+    if (unread) values.push(`${unread} ${this.words.unread}`);
     const drifts = look.result.report.drifts.map(
       ({ name, relative, largest }) =>
         `${this.words.drift}, ${this.meaning(name)}: ${this.number(relative ?? largest ?? NaN, 2)}`,

@@ -31,3 +31,13 @@ export function fromField(text: string): string {
   const tidy = text.trim().replace(/^−/, "-");
   return /^[+-]?\d+,\d+([eE][+-]?\d+)?$/.test(tidy) ? tidy.replace(",", ".") : tidy;
 }
+
+const RAISED = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** A unit as people write it: m², and nothing for a pure number. */
+export function unitText(unit: string): string {
+  if (unit === "1") return "";
+  return unit.replace(/\^(\d+)/g, (_, power: string) =>
+    power.replace(/\d/g, (digit) => RAISED[Number(digit)] ?? digit),
+  );
+}

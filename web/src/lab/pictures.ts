@@ -1,12 +1,16 @@
 // The scene and the graphs as pictures to take away.
 
 import type { Ink } from "../draw/ink";
+import { drawEvents } from "../draw/marks";
 import { drawPlot, type Plot } from "../draw/plot";
 import { SvgBrush, sheet } from "../draw/svg";
 import { Pen } from "../scenes/kit/pen";
 import type { Flat } from "../scenes/kit/scene";
+import { marksOf } from "./marks";
 import type { Language } from "./number";
 import type { Look } from "./result";
+
+export { download } from "./export";
 
 /** What is on a canvas, on paper. */
 export function png(canvas: HTMLCanvasElement, paper: string): Promise<Blob> {
@@ -36,8 +40,9 @@ export function flatSvg(scene: Flat, look: Look, sample: number, ink: Ink): stri
 }
 
 /** A graph as SVG. */
-export function graphSvg(plot: Plot, ink: Ink, language: Language): string {
+export function graphSvg(plot: Plot, ink: Ink, language: Language, look?: Look): string {
   const brush = new SvgBrush();
-  drawPlot({ pen: brush, w: WIDTH, h: HEIGHT }, plot, ink, language);
+  const frame = drawPlot({ pen: brush, w: WIDTH, h: HEIGHT }, plot, ink, language);
+  if (look) drawEvents(brush, frame, plot, marksOf(look, language), ink);
   return sheet(WIDTH, HEIGHT, ink.paper, [{ x: 0, y: 0, elements: brush.elements }]);
 }

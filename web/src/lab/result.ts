@@ -1,6 +1,7 @@
 // A run as the views see it: columns by name, and the scenario with everything spelt out.
 
 import type { Report, RunEvent } from "../core";
+import { unitText } from "./number";
 import type { Scenario } from "./scenario";
 import { scenarioOf } from "./toml";
 
@@ -49,7 +50,7 @@ export class Look {
   }
 
   unit(name: string): string {
-    return this.result.report.columns.find((column) => column.name === name)?.unit ?? "";
+    return unitText(this.result.report.columns.find((column) => column.name === name)?.unit ?? "");
   }
 
   /** A parameter that is a number. */

@@ -24,6 +24,7 @@ const LINES: usize = 4;
 struct Name {
     ink: usize,
     dashes: Option<String>,
+    dots: bool,
     text: String,
 }
 
@@ -89,10 +90,11 @@ fn named(panel: &Panel) -> Vec<Name> {
     let curves = panel.curves.iter().enumerate().map(|(index, curve)| {
         let ink = curve.ink.unwrap_or(index);
         let broken = (curve.stroke == Stroke::Dashed).then(|| "5 4".to_owned());
-        Name { ink, dashes: broken.or_else(|| dashes(ink)), text: clean(&curve.label) }
+        let dots = curve.stroke == Stroke::Dots;
+        Name { ink, dashes: broken.or_else(|| dashes(ink)), dots, text: clean(&curve.label) }
     });
     let classes = panel.map.iter().flat_map(|map| map.names.iter().enumerate());
-    let classes = classes.map(|(ink, name)| Name { ink, dashes: None, text: clean(name) });
+    let classes = classes.map(|(ink, name)| Name { ink, dashes: None, dots: false, text: clean(name) });
     for name in classes.chain(curves).filter(|name| !name.text.is_empty()) {
         if !all.contains(&name) {
             all.push(name);
@@ -137,15 +139,27 @@ fn draw_names(scene: &mut Scene, names: &[Name], start: f64, base: f64) {
     let mut x = start;
     for name in names {
         let (y, colour) = (base - 4.0, INKS[name.ink % INKS.len()]);
-        scene.add(Primitive::Line {
-            x1: x.round(),
-            y1: y,
-            x2: x.round() + STROKE,
-            y2: y,
-            stroke: colour.into(),
-            stroke_width: 2.0,
-            stroke_dasharray: name.dashes.clone(),
-        });
+        if name.dots {
+            scene.add(Primitive::Circle {
+                cx: x.round() + STROKE - 5.0,
+                cy: y,
+                r: 3.0,
+                fill: colour.into(),
+                fill_opacity: None,
+                stroke: None,
+                stroke_width: None,
+            });
+        } else {
+            scene.add(Primitive::Line {
+                x1: x.round(),
+                y1: y,
+                x2: x.round() + STROKE,
+                y2: y,
+                stroke: colour.into(),
+                stroke_width: 2.0,
+                stroke_dasharray: name.dashes.clone(),
+            });
+        }
         scene.add(line(x + STROKE + 6.0, base, &name.text, LABEL, TextAnchor::Start, INK));
         x += extent(&name.text);
     }

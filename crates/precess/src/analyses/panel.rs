@@ -1,9 +1,10 @@
 //! Panels of a run's picture that are answers to questions.
 
 use super::bifurcation::{self, BifurcationSpec};
+use super::floquet::{self, FloquetSpec};
 use super::poincare::{self, PoincareSpec};
 use super::response::{self, ResponseSpec};
-use super::{Sweep, Window, floquet, portrait};
+use super::{Window, portrait};
 use crate::basins::{BasinsSpec, basins};
 use crate::canonical::scenario_toml;
 use crate::error::{Error, input};
@@ -12,8 +13,10 @@ use crate::grid::Axis;
 use crate::picture::{Shown, Watcher, curves};
 use crate::plan::{PanelPlan, Plan};
 use crate::scenario::{FigureKind, FigureSpec, Scenario};
+use crate::survey::{Checkpoint, Survey};
 use crate::value::Value;
 use crate::workers::Workers;
+use std::path::Path;
 
 /// The panel of a kind that the analyses know.
 pub(crate) fn panel(
@@ -42,12 +45,12 @@ pub(crate) fn panel(
             let found = basins(&alone(plan)?, &asked, Workers::chosen()?, progress)?;
             found.figure().panels.into_iter().next().unwrap_or_default()
         }
+        FigureKind::Ensemble => ensemble_of(plan, progress)?,
         FigureKind::Tongues => {
-            let [x, y] = &spec.grid[..] else {
+            if spec.grid.len() != 2 {
                 return input("tongues need grid = [\"NAME=LOW:HIGH:N\", \"NAME=LOW:HIGH:N\"]");
-            };
-            let (x, y) = (Sweep::parse(x)?, Sweep::parse(y)?);
-            floquet::map(&alone(plan)?, plan, [&x, &y], progress)?.0
+            }
+            floquet::map(&alone(plan)?, &FloquetSpec { sweeps: spec.grid.clone() }, progress)?
         }
         other => return input(format!("a panel of kind '{}' is no analysis", other.name())),
     };
@@ -90,13 +93,24 @@ fn portrait_of(plan: &Plan, panel: &PanelPlan, shown: &[Shown], progress: Watche
         let trajectories = curves(&PanelPlan { spec, ..panel.clone() }, shown);
         // Two inks are taken: levels and separatrices.
         drawn.curves.extend(trajectories.curves.into_iter().map(|mut curve| {
-            let round = |ink: usize| if curve.label.is_empty() { (ink + 2) % 8 } else { ink + 2 };
+            let round = |ink: usize| if curve.label.is_empty() { 2 + ink % 6 } else { ink + 2 };
             curve.ink = curve.ink.map(round);
             curve
         }));
         drawn.marks.extend(trajectories.marks);
     }
     Ok(drawn)
+}
+
+/// The map of the scenario's ensemble, which is run for it.
+fn ensemble_of(plan: &Plan, progress: Watcher) -> Result<Panel, Error> {
+    let survey = Survey::new(&alone(plan)?, Path::new(""))?;
+    let mut checkpoint = Checkpoint::in_memory();
+    let share = |members: usize| members as f64 / survey.members() as f64;
+    if !survey.run(&mut checkpoint, Workers::chosen()?, &mut |members| progress(share(members)))? {
+        return Err(Error::Failed("interrupted before the map was complete".into()));
+    }
+    survey.map(&mut checkpoint)
 }
 
 fn response_of(plan: &Plan, panel: &PanelPlan, progress: Watcher) -> Result<Panel, Error> {

@@ -11,8 +11,9 @@ use crate::resolve;
 use crate::run::{columns, quantity};
 use crate::scenario::Scenario;
 use crate::value;
-use precess_analysis::{Crossings, Section, section, strobe};
+use precess_analysis::{Crossing, Crossings, Section, section, strobe};
 use precess_system::Trajectory;
+use std::f64::consts::TAU;
 
 /// Which section.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -85,15 +86,22 @@ pub(super) fn of_plan(
     };
     let [x, y] = axes(plan, &cut, spec)?;
     let quantities = plan.columns();
+    // Values and label of an axis; an angle is drawn without its turns.
     let of = |k: usize| {
         let quantity = quantity(plan, subject.field.as_ref(), k);
-        found.0.iter().map(|c| quantity(c.t, &c.state)).collect::<Vec<f64>>()
+        let values: Vec<f64> = found.0.iter().map(|c| quantity(c.t, &c.state)).collect();
+        let label = axis(&quantities[k]);
+        if turns(&subject, k, &found.0) {
+            return (values.iter().map(|x| x - (x / TAU).round() * TAU).collect(), format!("{label} mod 2π"));
+        }
+        (values, label)
     };
+    let ((x, x_label), (y, y_label)) = (of(x), of(y));
     let panel = Panel {
         title: format!("Section {}", spec.section.trim()),
-        x_label: axis(&quantities[x]),
-        y_label: axis(&quantities[y]),
-        curves: vec![Curve { x: of(x), y: of(y), stroke: Stroke::Dots, ..Curve::default() }],
+        x_label,
+        y_label,
+        curves: vec![Curve { x, y, stroke: Stroke::Dots, ..Curve::default() }],
         ..Panel::default()
     };
     Ok((found, panel))
@@ -119,6 +127,28 @@ fn cut(plan: &Plan, text: &str) -> Result<Cut, Error> {
         return input("a period is above zero").map_err(at);
     }
     Ok(Cut { column, value, period })
+}
+
+/// Whether a column is an angle that has gone round: a coordinate after a turn of which all rates are the same.
+fn turns(subject: &Subject, column: usize, crossings: &[Crossing]) -> bool {
+    let shape = subject.plan.layout.shape();
+    let Some(i) = column.checked_sub(1).filter(|i| *i < shape.coordinates) else { return false };
+    let radians = subject.plan.layout.state()[i].unit == "rad";
+    let round = crossings.iter().any(|c| c.state[i].abs() > TAU / 2.0);
+    let rate = |t: f64, y: &[f64]| {
+        let mut rate = vec![0.0; y.len()];
+        subject.field.rate(t, y, &mut rate);
+        rate
+    };
+    let mut same = true;
+    for c in crossings.iter().take(20) {
+        let mut turned = c.state.clone();
+        turned[i] += TAU;
+        let pairs = rate(c.t, &c.state).into_iter().zip(rate(c.t, &turned));
+        same &= pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-9 * (1.0 + a.abs()));
+    }
+    // Nothing depends on a cyclic coordinate, be it a length or an angle.
+    round && same && (radians || !subject.plan.structure.cyclic[i])
 }
 
 /// What is drawn against what.

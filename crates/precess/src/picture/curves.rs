@@ -15,26 +15,29 @@ pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
     let planes = pairs.iter().any(|(x, _)| *x != pairs[0].0);
     let mut drawn = framed(panel, shown, &pairs);
     let mut inks: Vec<String> = vec![];
-    for one in &chosen {
-        for (x, y) in &pairs {
+    for (one, own_ink) in chosen.iter().zip(own_inks(&chosen, shown)) {
+        for (k, (x, y)) in pairs.iter().enumerate() {
             let (Some(i), Some(j)) = (one.column(x), one.column(y)) else { continue };
-            let quantity = match (pairs.len(), planes) {
-                (1, _) => String::new(),
-                (_, true) => format!("{}, {}", readable(x), readable(y)),
-                (_, false) => readable(y),
+            let quantity = match (panel.spec.names.get(k), pairs.len(), planes) {
+                (Some(name), ..) => name.clone(),
+                (_, 1, _) => String::new(),
+                (.., true) => format!("{}, {}", readable(x), readable(y)),
+                (.., false) => readable(y),
             };
             // A trajectory alone in its panel needs no name.
             let own = if chosen.len() > 1 { one.label } else { "" };
             let between = if own.is_empty() || quantity.is_empty() { "" } else { ": " };
             let label = format!("{own}{between}{quantity}");
             let stroke = panel.spec.style.unwrap_or(one.style);
-            // Curves of one name have one colour; where nothing is named, colours come round without dashes.
-            let known = inks.iter().position(|name| *name == label && !name.is_empty());
-            let ink = known.unwrap_or_else(|| {
-                inks.push(label.clone());
-                inks.len() - 1
-            });
-            let ink = if label.is_empty() { ink % 8 } else { ink };
+            // Curves of one name have one colour.
+            let ink = if pairs.len() == 1 {
+                own_ink
+            } else {
+                inks.iter().position(|name| *name == label).unwrap_or_else(|| {
+                    inks.push(label.clone());
+                    inks.len() - 1
+                })
+            };
             let rows = || one.trajectory.rows().filter(|row| within(panel, row[0]));
             let values = |k: usize| rows().map(|row| row[k]).collect::<Vec<f64>>();
             drawn.curves.push(Curve { label, x: values(i), y: values(j), ink: Some(ink), stroke });
@@ -64,7 +67,28 @@ pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
     drawn
 }
 
-/// Dots where everything is: a colour for each time.
+/// The colours of trajectories: a name has the same one in all panels; where nothing is named, colours come round without
+/// dashes.
+pub(super) fn own_inks(chosen: &[&Shown], shown: &[Shown]) -> Vec<usize> {
+    let mut names: Vec<&str> = vec![];
+    for one in shown.iter().filter(|one| !one.label.is_empty()) {
+        if !names.contains(&one.label) {
+            names.push(one.label);
+        }
+    }
+    let nameless = usize::from(chosen.iter().any(|one| one.label.is_empty()));
+    let mut further = 0;
+    let ink = |one: &&Shown| {
+        if let Some(place) = names.iter().position(|name| *name == one.label) {
+            return place + nameless;
+        }
+        further += 1;
+        if further == 1 { 0 } else { (names.len() + further - 1) % 8 }
+    };
+    chosen.iter().map(ink).collect()
+}
+
+/// Dots where everything is: a colour for each time. What others move round (all but satellites) has a larger one.
 pub(super) fn snapshot(panel: &PanelPlan, shown: &[Shown]) -> Panel {
     let pairs = pairs(panel, shown);
     let mut drawn = framed(panel, shown, &pairs);
@@ -77,10 +101,15 @@ pub(super) fn snapshot(panel: &PanelPlan, shown: &[Shown]) -> Panel {
         };
         for one in chosen(panel, shown) {
             let Some(row) = one.sample(t) else { continue };
+            let heavy = one.plan.system.satellites(&one.plan.values).map_or(0, |s| s.rest);
             for (x, y) in &pairs {
                 let (Some(i), Some(j)) = (one.column(x), one.column(y)) else { continue };
-                dots.x.push(row[i]);
-                dots.y.push(row[j]);
+                if i <= heavy {
+                    drawn.marks.push(Mark { x: row[i], y: row[j], ink: Some(ink), ..Mark::default() });
+                } else {
+                    dots.x.push(row[i]);
+                    dots.y.push(row[j]);
+                }
             }
         }
         drawn.curves.push(dots);

@@ -14,8 +14,13 @@ pub(crate) fn subtitle(plan: &Plan) -> String {
 
 /// Name and unit of an axis: `theta [rad]`.
 pub(crate) fn axis(quantity: &Quantity) -> String {
-    let name = readable(&quantity.name);
-    if quantity.unit.is_empty() { name } else { format!("{name} [{}]", quantity.unit) }
+    let (name, unit) = (readable(&quantity.name), raised(&quantity.unit));
+    if unit.is_empty() { name } else { format!("{name} [{unit}]") }
+}
+
+/// `kg m^2/s` to `kg m²/s`.
+fn raised(unit: &str) -> String {
+    unit.replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
 }
 
 /// `theta1_dot` to `θ1′`.
@@ -52,5 +57,5 @@ pub(crate) fn shared(quantities: &[&Quantity]) -> String {
     if rest.iter().all(|q| bare(q) == bare(first)) {
         return axis(&Quantity { name: bare(first), ..(*first).clone() });
     }
-    if first.unit.is_empty() { String::new() } else { format!("[{}]", first.unit) }
+    if first.unit.is_empty() { String::new() } else { format!("[{}]", raised(&first.unit)) }
 }

@@ -1,6 +1,6 @@
 //! The potential of one degree of freedom: the ball on the curve, at the height that its energy allows.
 
-use super::curves::chosen;
+use super::curves::{chosen, own_inks};
 use super::labels::axis;
 use super::shown::Shown;
 use crate::error::{Error, input};
@@ -11,6 +11,8 @@ use precess_system::{Bind, Quantity};
 
 /// Points of the curve.
 const POINTS: usize = 800;
+/// The colour of the curve: grey, since the balls have those of their trajectories.
+const GROUND: usize = 7;
 
 /// The curve of the potential over the range of the panel (or of the trajectories), a ball at each start, and the level
 /// of its energy between the points where the ball turns.
@@ -32,13 +34,13 @@ pub(super) fn potential(panel: &PanelPlan, shown: &[Shown]) -> Result<Panel, Err
         ..Panel::default()
     };
     let curve = heights(first.plan, coordinate, observable, &xs);
-    drawn.curves.push(Curve { x: xs.clone(), y: curve.clone(), ink: Some(0), ..Curve::default() });
-    for (k, one) in chosen.iter().enumerate() {
+    drawn.curves.push(Curve { x: xs.clone(), y: curve.clone(), ink: Some(GROUND), ..Curve::default() });
+    for (one, ink) in chosen.iter().zip(own_inks(&chosen, shown)) {
         let state = one.plan.start.clone();
         let start = state[coordinate - 1];
         let height = heights(one.plan, coordinate, observable, &[start])[0];
         let level = energy(one).unwrap_or(height);
-        let ink = Some(1 + k % 7);
+        let ink = Some(ink);
         let (x, y) = between_turns(&xs, &curve, start, level);
         drawn.curves.push(Curve { x, y, ink, stroke: Stroke::Dashed, ..Curve::default() });
         drawn.marks.push(Mark { x: start, y: height, ink, sign: Sign::Ball, ..Mark::default() });

@@ -1,6 +1,6 @@
 //! An ensemble: many members that differ in starts and parameters, and what is kept of each.
 
-use super::reading::{as_table, entries, number_of, read, texts, word};
+use super::reading::{as_table, entries, number_of, read, several, texts, word, words};
 use crate::error::{Error, input, quoted, unknown};
 use crate::value::Value;
 use toml::de::{DeTable, DeValue};
@@ -39,6 +39,17 @@ pub enum Kept {
     Section,
 }
 
+/// What sorts the members: between which of some values a quantity ends.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Classes {
+    /// A column that is kept, or an observable of the state that is kept.
+    pub of: String,
+    /// The values, rising.
+    pub at: Vec<Value>,
+    /// A name for each class, one more than values; made from the values where empty.
+    pub names: Vec<String>,
+}
+
 /// An ensemble.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnsembleSpec {
@@ -46,9 +57,11 @@ pub struct EnsembleSpec {
     pub source: Source,
     /// What is kept of each.
     pub keep: Kept,
+    /// How they are sorted.
+    pub classes: Option<Classes>,
 }
 
-const KEYS: [&str; 7] = ["grid", "list", "random", "file", "members", "seed", "keep"];
+const KEYS: [&str; 8] = ["grid", "list", "random", "file", "members", "seed", "keep", "classes"];
 const KEEP: [(&str, Kept); 4] = [
     ("last", Kept::Last),
     ("extremes", Kept::Extremes),
@@ -68,6 +81,7 @@ impl Kept {
 impl EnsembleSpec {
     pub(super) fn read(table: &DeTable) -> Result<Self, Error> {
         let (mut sources, mut keep, mut members, mut seed) = (vec![], Kept::default(), None, None);
+        let mut classes = None;
         for (key, value) in entries(table) {
             let key = key.get_ref().as_ref();
             let at = |e: Error| e.at(&format!("[ensemble]: {key}"));
@@ -86,6 +100,7 @@ impl EnsembleSpec {
                     let known = KEEP.iter().find(|(known, _)| *known == name).map(|(_, keep)| *keep);
                     keep = known.ok_or_else(|| at(unknown("choice", &name, KEEP.map(|(name, _)| name))))?;
                 }
+                "classes" => classes = Some(as_table(value).and_then(sorted).map_err(at)?),
                 other => return Err(unknown("key", other, KEYS).at("[ensemble]")),
             }
         }
@@ -104,7 +119,7 @@ impl EnsembleSpec {
             (_, None) if seed.is_some() => return input("[ensemble]: seed is for random members alone"),
             (_, None) => {}
         }
-        Ok(Self { source, keep })
+        Ok(Self { source, keep, classes })
     }
 
     /// As it stands in a scenario; values in SI units.
@@ -120,18 +135,47 @@ impl EnsembleSpec {
                 format!("random = {}\nmembers = {members}\nseed = {seed}", words(ranges))
             }
             Source::List(lists) => {
-                let number = |value: &Value| match value {
-                    Value::Number { x, .. } => format!("{x:?}"),
-                    other => format!("{other:?}"),
-                };
-                let list = |values: &Vec<Value>| values.iter().map(number).collect::<Vec<_>>().join(", ");
                 let lists: Vec<String> =
-                    lists.iter().map(|(name, l)| format!("{name} = [{}]", list(l))).collect();
+                    lists.iter().map(|(name, l)| format!("{name} = {}", listed(l))).collect();
                 format!("list = {{ {} }}", lists.join(", "))
             }
         };
-        format!("[ensemble]\n{source}\nkeep = \"{}\"\n", self.keep.name())
+        let classes = self.classes.as_ref().map_or(String::new(), |classes| {
+            let Classes { of, at, names } = classes;
+            format!("classes = {{ of = {of:?}, at = {}, names = {names:?} }}\n", listed(at))
+        });
+        format!("[ensemble]\n{source}\nkeep = \"{}\"\n{classes}", self.keep.name())
     }
+}
+
+/// Values as a list in TOML, in SI units.
+fn listed(values: &[Value]) -> String {
+    let number = |value: &Value| match value {
+        Value::Number { x, .. } => format!("{x:?}"),
+        other => format!("{other:?}"),
+    };
+    format!("[{}]", values.iter().map(number).collect::<Vec<_>>().join(", "))
+}
+
+/// The classes of a table.
+fn sorted(table: &DeTable) -> Result<Classes, Error> {
+    let mut classes = Classes::default();
+    for (key, value) in entries(table) {
+        match key.get_ref().as_ref() {
+            "of" => classes.of = word(value)?,
+            "at" => classes.at = several(read(value)?),
+            "names" => classes.names = words(value)?,
+            other => return Err(unknown("key", other, ["of", "at", "names"])),
+        }
+    }
+    let (edges, names) = (classes.at.len(), classes.names.len());
+    if classes.of.is_empty() || edges == 0 {
+        return input("classes are written as { of = \"theta\", at = [\"30 deg\", \"150 deg\"] }");
+    }
+    if names > 0 && names != edges + 1 {
+        return input(format!("{edges} values make {} classes, not {names}", edges + 1));
+    }
+    Ok(classes)
 }
 
 /// A list of values for each name.

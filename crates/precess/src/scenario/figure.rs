@@ -29,11 +29,13 @@ pub enum FigureKind {
     Tongues,
     /// Where the motion passes through a surface.
     Poincare,
+    /// The classes of the scenario's ensemble over its grid.
+    Ensemble,
 }
 
 impl FigureKind {
     /// All of them by name.
-    pub const ALL: [(&'static str, Self); 9] = [
+    pub const ALL: [(&'static str, Self); 10] = [
         ("curves", Self::Curves),
         ("snapshot", Self::Snapshot),
         ("potential", Self::Potential),
@@ -43,6 +45,7 @@ impl FigureKind {
         ("basins", Self::Basins),
         ("tongues", Self::Tongues),
         ("poincare", Self::Poincare),
+        ("ensemble", Self::Ensemble),
     ];
     /// Its name.
     pub fn name(self) -> &'static str {
@@ -65,6 +68,8 @@ pub struct FigureSpec {
     pub equal_scales: bool,
     /// The vertical axis in decades.
     pub logarithmic: bool,
+    /// Names of the pairs in the legend, in their order; the quantities' own where empty.
+    pub names: Vec<String>,
     /// Whose trajectories: `run`, or names of families; all of them where empty.
     pub of: Vec<String>,
     /// Range of the horizontal axis.
@@ -93,11 +98,12 @@ pub struct FigureSpec {
     pub grid: Vec<String>,
 }
 
-const KEYS: [&str; 19] = [
+const KEYS: [&str; 20] = [
     "kind",
     "title",
     "x",
     "y",
+    "names",
     "of",
     "x_range",
     "y_range",
@@ -141,6 +147,7 @@ impl FigureSpec {
                 "title" => figure.title = word(value).map_err(at)?,
                 "x" => figure.x = words(value).map_err(at)?,
                 "y" => figure.y = words(value).map_err(at)?,
+                "names" => figure.names = words(value).map_err(at)?,
                 "of" => figure.of = words(value).map_err(at)?,
                 "grid" => figure.grid = words(value).map_err(at)?,
                 "x_range" => figure.x_range = Some(pair(value).map_err(at)?),

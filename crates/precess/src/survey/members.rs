@@ -3,6 +3,7 @@
 use crate::error::{Error, input, quoted, unknown};
 use crate::grid::Axis;
 use crate::hash::Hasher;
+use crate::picture::axis as label_of;
 use crate::plan::Plan;
 use crate::random::Random;
 use crate::scenario::{EnsembleSpec, Scenario, Source};
@@ -86,6 +87,14 @@ impl Roll {
         Ok(Self { names, targets, values, count })
     }
 
+    /// The two axes, where the members lie on such a grid.
+    pub fn grid(&self) -> Option<[&Axis; 2]> {
+        match &self.values {
+            Values::Grid(axes) if axes.len() == 2 => Some([&axes[0], &axes[1]]),
+            _ => None,
+        }
+    }
+
     /// The values of a member, in the order of the names.
     pub fn values(&self, member: usize) -> Vec<f64> {
         match &self.values {
@@ -142,6 +151,11 @@ impl Roll {
         let all = self.names.iter().zip(&self.targets).zip(values);
         all.filter(|((_, target), _)| **target == Target::Start).map(|((name, _), x)| (name.as_str(), *x))
     }
+}
+
+/// Name and unit of what varies.
+pub(super) fn label(plan: &Plan, name: &str) -> Result<String, Error> {
+    Ok(label_of(&quantity(plan, name)?.1))
 }
 
 /// The quantity of a name: a start, or a parameter that is a number.

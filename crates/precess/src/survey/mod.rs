@@ -4,6 +4,7 @@
 //! there. What was killed goes on from it, and ends with the same bits.
 
 mod checkpoint;
+mod classes;
 mod members;
 
 use crate::canonical::scenario_toml;
@@ -14,8 +15,9 @@ use crate::hash::Hasher;
 use crate::members::Keep;
 use crate::plan::Plan;
 use crate::run::Runner;
-use crate::scenario::{EnsembleSpec, Kept, Scenario};
+use crate::scenario::{Kept, Scenario};
 use crate::workers::{Workers, spread};
+use classes::Sorter;
 use members::Roll;
 use precess_integrate::Failure;
 use precess_system::Field;
@@ -34,7 +36,8 @@ pub struct Survey {
     pub plan: Plan,
     roll: Roll,
     keep: Kept,
-    /// The names of the columns: what varies, then what is kept.
+    sorter: Option<Sorter>,
+    /// The names of the columns: what varies, then what is kept, then the class.
     pub columns: Vec<String>,
 }
 
@@ -82,8 +85,14 @@ impl Survey {
         };
         // What a member starts with stands beside its end: other names.
         let varied = roll.names.iter().map(|name| format!("start_{name}"));
-        let columns = varied.chain(own).collect();
-        Ok(Self { scenario: scenario.clone(), plan, roll, keep: spec.keep, columns })
+        let mut columns: Vec<String> = varied.chain(own).collect();
+        let sorter = spec
+            .classes
+            .as_ref()
+            .map(|classes| Sorter::new(&plan, classes, spec.keep, &columns))
+            .transpose()?;
+        columns.extend(sorter.is_some().then(|| "class".into()));
+        Ok(Self { scenario: scenario.clone(), plan, roll, keep: spec.keep, sorter, columns })
     }
 
     /// How many members there are.
@@ -102,8 +111,7 @@ impl Survey {
 
     /// A scenario that gives the same ensemble.
     pub fn toml(&self) -> String {
-        let ensemble = self.scenario.ensemble.as_ref().map_or(String::new(), EnsembleSpec::toml);
-        format!("{}\n{ensemble}", scenario_toml(&self.plan))
+        scenario_toml(&self.plan)
     }
 
     /// All that decides the numbers, as a text: what a checkpoint is held against.
@@ -203,6 +211,14 @@ impl Survey {
         Ok(rows)
     }
 
+    /// Adds the class of the row that ends here, where members are sorted.
+    fn sort(&self, plan: &Plan, field: &dyn Field<f64>, rows: &mut Vec<f64>) {
+        if let Some(sorter) = &self.sorter {
+            let class = sorter.class(plan, field, &rows[rows.len() + 1 - self.columns.len()..]);
+            rows.push(class);
+        }
+    }
+
     fn group(
         &self,
         plan: &Plan,
@@ -234,6 +250,7 @@ impl Survey {
                         );
                     }
                     rows.push(status(failure));
+                    self.sort(plan, runner.field(), rows);
                 }
             }
             Kept::Passage | Kept::Section => {
@@ -266,6 +283,7 @@ impl Survey {
                         None => rows.extend(std::iter::repeat_n(f64::NAN, state + 1)),
                     }
                     rows.push(status(report.failure.as_ref()));
+                    self.sort(&plan, runner.field(), rows);
                 }
             }
         }

@@ -1,5 +1,6 @@
 // What a scene is: a small file beside this folder, named after its system, that maps a run's columns to shapes.
 
+import type { Text } from "../../core";
 import type { Ink } from "../../draw/ink";
 import type { Look } from "../../lab/result";
 import type { Pen, Point } from "./pen";
@@ -36,6 +37,10 @@ export interface Solid {
   sphere?: (look: Look) => number;
   /** Height of the table; none where absent. */
   table?: (look: Look) => number | undefined;
+  /** What rests while the body moves. */
+  still?: (look: Look) => Piece[];
+  /** How space is turned in the picture, where it is. */
+  frame?: (look: Look) => Turn;
   /** The camera goes with the body, and the table with the camera. */
   follow?: boolean;
   /** Where the camera looks. */
@@ -47,6 +52,8 @@ export interface Solid {
 export interface Path {
   on: "space" | "body";
   at: (look: Look, sample: number) => Place;
+  /** On what is of glass, ink. */
+  colour?: "ink";
 }
 
 /** One sees through what is of glass, and it throws no shadow. */
@@ -59,9 +66,17 @@ export type Piece =
   | { shape: "rod"; from: Place; to: Place; radius: number; colour: Colour }
   /** The surface of a convex body: the point whose outward normal is given. */
   | { shape: "convex"; surface: (normal: Place) => Place; colour: Colour }
-  | { shape: "stripe"; profile: [radius: number, z: number][] };
+  | { shape: "stripe"; profile: [radius: number, z: number][] }
+  /** The cone from the origin through a line. */
+  | { shape: "fan"; points: Place[]; colour: Colour };
 
 export type Scene = Flat | Solid;
+
+/** A file beside this folder: the system's scene, and others of its kind that show it in another way. */
+export interface SceneFile {
+  default: Scene;
+  others?: { title: Text; scene: Scene }[];
+}
 export type { Ink };
 
 /** A ball of some radius, as a profile. */

@@ -35,6 +35,18 @@ import type { Look } from "../../lab/result";
 import { Crosses } from "./crosses";
 import type { Colour, Path, Piece, Place, Solid } from "./scene";
 
+/** For whatever else draws in three dimensions: the library then stays in one piece, and comes once. */
+export { CylinderGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from "three";
+
+/** How the camera goes along: not at all, round with the axis, or with the body in all. */
+export type View = "rest" | "axis" | "body";
+
+/** What else stands in the scene; it is told the sample that is shown. */
+export interface Overlay {
+  readonly object: Object3D;
+  show: (sample: number) => void;
+}
+
 /** The table's radius, in sizes: it fits into the picture. */
 const TABLE = 1.2;
 /** What is drawn on a body has to be seen on its ink and on its brass. */
@@ -52,12 +64,14 @@ export class Studio {
   #crosses: Crosses | undefined;
   #look: Look | undefined;
   #solid: Solid | undefined;
+  #overlay: Overlay | undefined;
   #size = 1;
   #centre: Place = [0, 0, 0];
   /** Where the camera stands: round, up, how far (in sizes). */
   round = -0.9;
   up = 0.36;
   far = 4.3;
+  view: View = "rest";
 
   constructor(canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
@@ -94,10 +108,23 @@ export class Studio {
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
     scene.add(this.#body);
+    for (const piece of solid.still?.(look) ?? []) scene.add(...this.#piece(piece, ink));
     this.#scene = scene;
-    this.#lines = [{ on: "space" as const, at: solid.trace }, ...(solid.paths ?? [])].map((path, k) =>
-      this.#path(path, look, k === 0 || path.on === "space" ? ink.accent : GOLD),
-    );
+    const paths: Path[] = [{ on: "space", at: solid.trace }, ...(solid.paths ?? [])];
+    this.#lines = paths.map((path) => {
+      const plain = path.on === "body" ? GOLD : ink.accent;
+      return this.#path(path, look, path.colour ? ink.ink : plain);
+    });
+  }
+
+  /** Puts something into the scene, in place of what stood there. */
+  dress(overlay: Overlay | undefined): void {
+    if (this.#overlay) {
+      this.#overlay.object.removeFromParent();
+      release(this.#overlay.object);
+    }
+    this.#overlay = overlay;
+    if (overlay) this.#scene.add(overlay.object);
   }
 
   #scaled([x, y, z]: Place): Place {
@@ -164,6 +191,14 @@ export class Studio {
       return [rod];
     }
     if (piece.shape === "convex") return this.#convex(piece, ink);
+    if (piece.shape === "fan") {
+      const at = (k: number) => this.#scaled(piece.points[k] ?? [0, 0, 0]);
+      const triangles = piece.points.slice(1).flatMap((_, k) => [0, 0, 0, ...at(k), ...at(k + 1)]);
+      const fan = new BufferGeometry();
+      fan.setAttribute("position", new BufferAttribute(new Float32Array(triangles), 3));
+      fan.computeVertexNormals();
+      return [this.#solidOf(fan, piece.colour, ink)];
+    }
     const stripe = piece.shape === "stripe";
     const points = piece.profile.map(
       ([r, z]) => new Vector2((r / this.#size) * (stripe ? 1.006 : 1), z / this.#size),
@@ -257,33 +292,56 @@ export class Studio {
     if (w === 0 || h === 0) return;
     this.#renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.#renderer.setSize(w, h, false);
-    const far = this.far * Math.max(1, h / w);
-    const [x, y, z] = this.#centre;
-    this.#camera.position.set(
-      x + far * Math.cos(this.up) * Math.sin(this.round),
-      y - far * Math.cos(this.up) * Math.cos(this.round),
-      z + far * Math.sin(this.up),
-    );
-    this.#camera.lookAt(x, y, z);
+    this.#overlay?.show(sample);
+    this.#aim(this.far * Math.max(1, h / w));
     this.#camera.aspect = w / h;
     this.#camera.updateProjectionMatrix();
     this.#renderer.render(this.#scene, this.#camera);
   }
 
+  /** Points the camera at the middle, from so far away. */
+  #aim(far: number): void {
+    const { position, quaternion } = this.#body;
+    const body = this.view === "body";
+    const axis = new Vector3(0, 0, 1).applyQuaternion(quaternion);
+    const round = this.round + (this.view === "axis" ? Math.atan2(axis.y, axis.x) : 0);
+    const from = new Vector3(
+      Math.cos(this.up) * Math.sin(round),
+      -Math.cos(this.up) * Math.cos(round),
+      Math.sin(this.up),
+    ).multiplyScalar(far);
+    const centre = new Vector3(...this.#centre);
+    this.#camera.up.set(0, 0, 1);
+    if (body) {
+      // Whoever rides on the body sees the world turn about its middle.
+      if (!this.#solid?.follow) centre.sub(position).applyQuaternion(quaternion).add(position);
+      from.applyQuaternion(quaternion);
+      this.#camera.up.copy(axis);
+    }
+    this.#camera.position.copy(centre).add(from);
+    this.#camera.lookAt(centre);
+  }
+
   #clear(): void {
     this.#stripes = [];
-    this.#scene.traverse((object) => {
-      if (object instanceof Mesh || object instanceof Line) {
-        (object.geometry as BufferGeometry).dispose();
-        (object.material as MeshStandardMaterial).dispose();
-      }
-    });
+    this.#overlay = undefined;
+    release(this.#scene);
   }
 
   dispose(): void {
     this.#clear();
     this.#renderer.dispose();
   }
+}
+
+/** Gives back what the graphics card holds of something. */
+function release(all: Object3D): void {
+  all.traverse((object) => {
+    if (object instanceof Mesh || object instanceof Line) {
+      (object.geometry as BufferGeometry).dispose();
+      (object.material as MeshStandardMaterial).dispose();
+    }
+  });
 }
 
 function ring(radius: number, [x, y, z]: Place, ink: Ink): Line {
