@@ -124,7 +124,7 @@ impl<S: Scalar> Collocation<S> {
         let table = table(half, stages);
         let zeros = vec![S::from(0.0); shape.size()];
         let pairs: Vec<_> = shape.pairs().collect();
-        let fills = S::is_abreast() && stages % S::Abreast::COUNT == 0;
+        let fills = S::is_abreast() && stages.is_multiple_of(S::Abreast::COUNT);
         Self {
             one_by_one: Stages::new::<S>(shape, &table),
             abreast: fills.then(|| Stages::new::<S>(shape, &table)),
