@@ -9,14 +9,14 @@ PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
 .PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-python
-.PHONY: test-python-now bench-python test-arm clean cargo
+.PHONY: test-python-now wheel bench-python test-arm clean cargo
 
 help:
 	@echo "make lab    build the lab and serve it to a browser on this machine"
 	@echo "make run    simulate a top, three magnets and three planets; pictures and tables go to $(OUT)/"
 	@echo "make bench  measure this program beside others, ratios first (BENCH=--long: for numbers to write down)"
 	@echo "make bench-web  the same in WebAssembly beside native code, under Node and in Chromium"
-	@echo "make bench-python  the Python package beside SciPy"
+	@echo "make bench-python  the Python package beside SciPy, heyoka, diffrax and pynamicalsys"
 	@echo "make test   every test, the lints, the documentation"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
@@ -54,6 +54,8 @@ bench: $(PRECESS)
 	  else for form in plain shared warm; do set -- "$$@" --peer "heyoka-$$form=$(HEYOKA) $$form"; done; fi; \
 	done; \
 	$(PRECESS) bench $(BENCH) "$$@"
+	@if $(PYTHON_WORKS); then $(MAKE) --no-print-directory bench-python; \
+	else echo "precess: the Python package is skipped, since it needs $(PYTHON_NEEDS)" >&2; fi
 
 # Node first: whoever lacks it need not wait for the rest to be built.
 lab: cargo node wasm web/node_modules/.package-lock.json
@@ -137,24 +139,38 @@ web/node_modules/.package-lock.json: web/package-lock.json
 PYTHON ?= python3
 VENV = $(abspath $(CARGO_TARGET_DIR))/python-venv
 
+PYTHON_WORKS = $(PYTHON) -c 'import sys, ensurepip, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null
+PYTHON_NEEDS = Python 3.10 or later with venv (Debian: python3-venv)
+
 test-python:
-	@if ! $(PYTHON) -c 'import sys, ensurepip, venv; sys.exit(sys.version_info < (3, 10))' 2>/dev/null; then \
-	  echo "precess: the tests of the Python package are skipped, since they need Python 3.10 or later with venv" \
-	    "(Debian: python3-venv)" >&2; \
+	@if ! $(PYTHON_WORKS); then \
+	  echo "precess: the tests of the Python package are skipped, since they need $(PYTHON_NEEDS)" >&2; \
 	  test "$$PRECESS_REQUIRE_ALL" != 1; exit; \
 	fi; \
 	$(MAKE) --no-print-directory test-python-now
 
+# The wheel is built once: it goes into an environment with NumPy alone, as `pip install .` gives it, and into that of the tests.
+WHEELS = $(abspath $(CARGO_TARGET_DIR))/python-wheel
+BARE = $(abspath $(CARGO_TARGET_DIR))/python-bare
+
 test-python-now: cargo $(VENV)/installed
 	$(VENV)/bin/ruff format --check --quiet && $(VENV)/bin/ruff check --quiet
-	PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
+	@$(MAKE) --no-print-directory wheel
 	$(VENV)/bin/mypy --cache-dir $(VENV)/mypy
+	$(PYTHON) -m venv --clear $(BARE)
+	$(BARE)/bin/pip install --quiet --disable-pip-version-check $(WHEELS)/precess-*-cp310-abi3-*.whl
+	cd $(BARE) && bin/python -I $(abspath python/tests/bare.py)
 	$(VENV)/bin/python -m pytest -p no:cacheprovider
 
-# The cone beside SciPy, and the way to a first basin map.
-bench-python: cargo $(VENV)/installed
-	@PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip install --quiet --no-build-isolation --no-deps --force-reinstall .
-	@$(VENV)/bin/python benches/python/cone.py
+wheel: cargo $(VENV)/installed
+	@rm -rf $(WHEELS)
+	PATH="$(VENV)/bin:$$PATH" $(VENV)/bin/pip wheel --quiet --no-build-isolation --no-deps --wheel-dir $(WHEELS) .
+	@$(VENV)/bin/pip install --quiet --no-deps --force-reinstall $(WHEELS)/precess-*.whl
+
+# The cone beside SciPy, what an import costs, and the way to a first basin map beside the peers that this machine has.
+bench-python: wheel
+	@$(VENV)/bin/python -B benches/python/cone.py
+	@$(VENV)/bin/python -B benches/python/maps.py $(BENCH_PYTHON)
 
 $(VENV)/installed: python/requirements.txt
 	$(PYTHON) -m venv --clear $(VENV)

@@ -36,6 +36,21 @@ const newFonts: Plugin = {
       : undefined,
 };
 
+/** Shaders of materials, maps and effects that no scene has: three asks for them by name, and gets empty ones. */
+const unusedShaders = new RegExp(
+  String.raw`^\t((?:background|backgroundCube|cube|equirect|linedashed|meshlambert|meshmatcap|meshnormal|meshphong|` +
+    String.raw`meshtoon|points|sprite)_(?:vert|frag)|(?:batching|bumpmap|clearcoat|clipping_planes|displacementmap|` +
+    String.raw`envmap|fog|gradientmap|iridescence|lightmap|lights_(?:lambert|toon|phong)|morph|normalmap|skin|` +
+    String.raw`transmission)\w*): [\w$]+`,
+  "gm",
+);
+const fewerShaders: Plugin = {
+  name: "fewer-shaders",
+  enforce: "pre",
+  transform: (code, id) =>
+    id.endsWith("/three.module.js") ? code.replace(unusedShaders, '\t$1: ""') : undefined,
+};
+
 /** The service worker knows every file of the build. */
 const offline: Plugin = {
   name: "offline",
@@ -59,7 +74,7 @@ const headers = {
 // The site is served from anywhere, under a policy that allows nothing inline and nothing from elsewhere.
 export default defineConfig({
   base: "./",
-  plugins: [svelte(), firstPage(), newFonts, offline],
+  plugins: [svelte(), firstPage(), newFonts, fewerShaders, offline],
   worker: { format: "es" },
   server: { headers },
   preview: { headers },

@@ -25,8 +25,10 @@ from ._catalogue import Method, Quantity, System, UnknownNameError, methods, sce
 from ._core import InputError, RunError
 from ._core import version as _version
 from ._ensemble import Ensemble, ensemble
+from ._exponents import Exponents, lyapunov_sweep
 from ._fit import Fit, fit
 from ._scenario import Scenario
+from ._scene import scene
 from ._simulate import simulate
 from ._sympy import to_sympy
 from ._table import Answer
@@ -42,6 +44,7 @@ __all__ = [
     "Drift",
     "Ensemble",
     "Event",
+    "Exponents",
     "Fit",
     "InputError",
     "Method",
@@ -59,11 +62,13 @@ __all__ = [
     "floquet",
     "frenet",
     "lyapunov",
+    "lyapunov_sweep",
     "methods",
     "poincare",
     "portrait",
     "response",
     "scenarios",
+    "scene",
     "sensitivity",
     "simulate",
     "systems",

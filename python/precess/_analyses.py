@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _core
 from ._catalogue import UnknownNameError
-from ._names import extra, nearest
+from ._given import SPAN, array, count, number, several, text, texts
+from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
-from ._scenario import Scenario
+from ._scenario import Scenario, table
+from ._sweep import Members, side_by_side
 from ._table import Answer
+from ._tiles import done
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,13 +28,18 @@ if TYPE_CHECKING:
 
     from ._catalogue import System
     from ._core import Floats
-    from ._progress import Progress
+    from ._progress import Progress, Told
     from ._scenario import Settings
+    from ._tiles import Submits
 
     Window = Mapping[str, tuple[float | str, float | str]]
     SweepOf = str | Mapping[str, tuple[float | str, float | str, int]]
 
+# Points that a thread takes at a time.
+PIECE = 8
 
+
+@knows_its_keywords
 def lyapunov(
     system: str | Path | System | Scenario, *, progress: Progress = None, **settings: Unpack[Settings]
 ) -> Answer:
@@ -51,6 +60,7 @@ def lyapunov(
         return Answer(scenario, "Lyapunov spectrum", _core.lyapunov(scenario._plan, told))  # noqa: SLF001
 
 
+@knows_its_keywords
 def poincare(
     system: str | Path | System | Scenario,
     section: str,
@@ -75,10 +85,11 @@ def poincare(
     """
     scenario = Scenario.of(system).replace(**settings)
     with bar(progress, 1.0, "") as told:
-        answer = _core.poincare(scenario._plan, section, direction, x, y, told)  # noqa: SLF001
+        answer = _core.poincare(scenario._plan, text("section", section), direction, x, y, told)  # noqa: SLF001
     return Answer(scenario, "Poincaré section", answer)
 
 
+@knows_its_keywords
 def portrait(
     system: str | Path | System | Scenario,
     window: Window | None = None,
@@ -98,11 +109,15 @@ def portrait(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    windows = [f"{name}={_text(low)}:{_text(high)}" for name, (low, high) in (window or {}).items()]
+    windows = []
+    for name, ends in table("window", window).items():
+        low, high = several(f"window {name}", "a lowest and a highest value", ends, 2)
+        windows.append(f"{name}={_text(low)}:{_text(high)}")
     with bar(progress, 1.0, "") as told:
         return Answer(scenario, "phase portrait", _core.portrait(scenario._plan, windows, levels, told))  # noqa: SLF001
 
 
+@knows_its_keywords
 def response(
     system: str | Path | System | Scenario,
     sweep: SweepOf,
@@ -130,6 +145,7 @@ def response(
     return Answer(scenario, "response", answer)
 
 
+@knows_its_keywords
 def bifurcation(
     system: str | Path | System | Scenario,
     sweep: SweepOf,
@@ -149,20 +165,79 @@ def bifurcation(
     return Answer(scenario, "bifurcation diagram", answer)
 
 
+class Points(NamedTuple):
+    """Points of a sweep of Floquet multipliers, and any part of them: what a worker anywhere is given."""
+
+    scenario: Scenario
+    sweeps: list[str]
+
+    @property
+    def size(self) -> int:
+        """How many points there are."""
+        return _core.floquet_points(self.sweeps)
+
+    def identity(self) -> list[object]:
+        """Give what tells this sweep from any other."""
+        return ["floquet", self.scenario.toml, self.sweeps]
+
+    def part(self, first: int, last: int) -> tuple[Points, int, int]:
+        """Give what a worker needs."""
+        return self, first, last
+
+    def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
+        """Find the largest moduli at the points from one number to another, in pieces of which each thread takes one."""
+        plan = self.scenario._plan  # noqa: SLF001
+        cuts = range(first, last, PIECE)
+        sizes = [min(PIECE, last - cut) for cut in cuts]
+
+        def piece(number: int, _: int | None, told: Told | None) -> Floats:
+            return _core.floquet_part(plan, self.sweeps, cuts[number], cuts[number] + sizes[number], told)
+
+        found = side_by_side(piece, sizes, threads or os.cpu_count() or 1, told)
+        return Members(np.zeros(1), np.concatenate(list(found)), {})
+
+
+@knows_its_keywords
 def floquet(
     system: str | Path | System | Scenario,
     sweep: SweepOf | None = None,
     *,
+    threads: int | None = None,
+    client: Submits | None = None,
+    tile: int = 256,
+    store: str | Path | None = None,
     progress: Progress = None,
     **settings: Unpack[Settings],
 ) -> Answer:
-    """Compute Floquet multipliers: of the periodic motion near the start, along a parameter, or over two."""
+    """Compute Floquet multipliers: of the periodic motion near the start, along a parameter, or over two.
+
+    Parameters
+    ----------
+    sweep
+        `{"f": (0, 1, 50)}`, or two: first value, last value, how many.
+    threads, client, tile, store
+        Where the points of a sweep are computed, as in `precess.ensemble`; nothing here changes a bit of the result.
+
+    """
     scenario = Scenario.of(system).replace(**settings)
-    sweeps = [] if sweep is None else _sweeps(sweep, 2)
-    with bar(progress, 1.0, "") as told:
-        return Answer(scenario, "Floquet multipliers", _core.floquet(scenario._plan, sweeps, told))  # noqa: SLF001
+    if threads is not None:
+        count("threads", threads)
+    if sweep is None:
+        if client is not None or store is not None:
+            raise _core.InputError("one motion cannot be cut into tiles: a client or a store needs a sweep")
+        with bar(progress, 1.0, "") as told:
+            return Answer(scenario, "Floquet multipliers", _core.floquet(scenario._plan, [], told))  # noqa: SLF001
+    points = Points(scenario, _sweeps(sweep, 2))
+    with bar(progress, points.size, "points") as told:
+        moduli = done(points, client=client, tile=tile, store=store, threads=threads, told=told).numbers
+    return Answer(
+        scenario,
+        "Floquet multipliers",
+        _core.floquet_whole(scenario._plan, points.sweeps, moduli),  # noqa: SLF001
+    )
 
 
+@knows_its_keywords
 def frenet(
     system: str | Path | System | Scenario,
     *,
@@ -178,7 +253,7 @@ def frenet(
 
 
 def _text(value: float | str) -> str:
-    return value if isinstance(value, str) else repr(float(value))
+    return value if isinstance(value, str) else repr(number("a range", value))
 
 
 def _sweeps(sweep: SweepOf, most: int) -> list[str]:
@@ -188,14 +263,11 @@ def _sweeps(sweep: SweepOf, most: int) -> list[str]:
     if not isinstance(sweep, Mapping) or not 1 <= len(sweep) <= most:
         how_many = "one parameter" if most == 1 else "one parameter or two"
         raise _core.InputError(f"a sweep goes over {how_many}: {{'frequency': (0.2, 3, 200)}}, for instance")
-    texts = []
+    found = []
     for name, span in sweep.items():
-        try:
-            low, high, points = span
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
-        texts.append(f"{name}={_text(low)}:{_text(high)}:{points}")
-    return texts
+        low, high, points = several(name, SPAN, span, 3)
+        found.append(f"{name}={_text(low)}:{_text(high)}:{points}")
+    return found
 
 
 class Sensitivity:
@@ -263,6 +335,7 @@ class Sensitivity:
         return f"<precess.Sensitivity of {self.scenario.system.id} along {', '.join(self.along)}: {what}>"
 
 
+@knows_its_keywords
 def sensitivity(
     system: str | Path | System | Scenario,
     along: Sequence[str] | str | None = None,
@@ -290,10 +363,8 @@ def sensitivity(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    names = list(scenario.state) if along is None else [along] if isinstance(along, str) else list(along)
-    moments = _moments(scenario) if times is None else np.atleast_1d(np.asarray(times, dtype=np.float64))
-    if moments.ndim != 1:
-        raise _core.InputError(f"times: an array of one dimension is needed, not of {moments.ndim}")
+    names = list(scenario.state) if along is None else texts("along", along)
+    moments = _moments(scenario) if times is None else array("times", times)
     with bar(progress, 1.0, "") as told:
         found = _core.sensitivities(scenario._plan, names, moments, told)  # noqa: SLF001
     return Sensitivity(scenario, names, moments, found)

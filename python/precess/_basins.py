@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _core
-from ._names import extra
+from ._given import SPAN, count, number, several, text
+from ._names import extra, knows_its_keywords
 from ._progress import bar
 from ._scenario import Scenario
+from ._sweep import Members
+from ._tiles import in_tiles
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -23,8 +27,12 @@ if TYPE_CHECKING:
 
     from ._catalogue import System
     from ._core import Floats
-    from ._progress import Progress
+    from ._progress import Progress, Told
     from ._scenario import Settings
+    from ._tiles import Submits
+
+# Starts of a tile: many more than the scouts that each tile sends out for the attractors.
+TILE = 16384
 
 
 class Attractor(NamedTuple):
@@ -98,12 +106,43 @@ class Basins:
         return f"<b>Basins of attraction</b> <code>{self.scenario.system.id}</code><ul>{lines}</ul>"
 
 
+class Grid(NamedTuple):
+    """The starts of a grid, and any part of them: what a worker anywhere is given."""
+
+    scenario: Scenario
+    axes: list[tuple[str, float, float, int]]
+    """Name, first value, last value, number of values; the first axis runs fastest."""
+
+    @property
+    def size(self) -> int:
+        """How many starts there are."""
+        return math.prod(points for *_, points in self.axes)
+
+    def identity(self) -> list[object]:
+        """Give what tells these starts from any others."""
+        axes = [[name, low.hex(), high.hex(), points] for name, low, high, points in self.axes]
+        return ["basins", self.scenario.toml, axes]
+
+    def part(self, first: int, last: int) -> tuple[Grid, int, int]:
+        """Give what a worker needs: all of it, since the attractors are those of the whole grid."""
+        return self, first, last
+
+    def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
+        """Follow the starts from one number to another."""
+        rows = _core.basins_part(self.scenario._plan, self.axes, first, last, threads, told)  # noqa: SLF001
+        return Members(np.zeros(1), rows, {})
+
+
+@knows_its_keywords
 def basins(
     system: str | Path | System | Scenario,
     over: Mapping[str, tuple[float, float, int]],
     *,
     wrap: bool = False,
     threads: int | None = None,
+    client: Submits | None = None,
+    tile: int = TILE,
+    store: str | Path | None = None,
     progress: Progress = None,
     **settings: Unpack[Settings],
 ) -> Basins:
@@ -116,7 +155,14 @@ def basins(
     wrap
         Attractors that differ by whole turns are one.
     threads
-        How many; as many as there are cores where absent.
+        How many; as many as there are cores where absent. Nothing here changes a bit of the result.
+    client
+        A Dask client, or any `concurrent.futures.Executor`: the starts are followed there, in tiles, by one thread each
+        where `threads` is absent. The bits are those of one machine.
+    tile
+        The number of starts that go to a worker at a time. Each tile begins with looking for the attractors.
+    store
+        A folder (Zarr) that keeps the tiles; work that was stopped resumes there.
 
     Raises
     ------
@@ -131,13 +177,16 @@ def basins(
         )
     axes: list[tuple[str, float, float, int]] = []
     for name, span in over.items():
-        try:
-            low, high, points = span
-            axes.append((str(name), float(low), float(high), int(points)))
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: first value, last value and number of values are needed") from None
-        if axes[-1][3] < 1:
-            raise _core.InputError(f"{name}: at least one value is needed, not {points}")
+        low, high, points = several(text("over", name), SPAN, span, 3)
+        axes.append((name, number(name, low), number(name, high), count(f"{name}, how many", points)))
+    if threads is not None:
+        count("threads", threads)
+    grid = Grid(scenario, axes)
     with bar(progress, 1.0, "") as told:
-        found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
+        if client is None and store is None:
+            found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
+        else:
+            share = None if told is None else lambda members: told(members / grid.size)
+            rows = in_tiles(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
+            found = _core.basins_whole(scenario._plan, axes, wrap, rows, threads)  # noqa: SLF001
     return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)

@@ -59,6 +59,15 @@ def bifurcation(
     progress: Callable[[float], object] | None = None,
 ) -> Answer: ...
 def floquet(plan: Plan, sweeps: list[str], progress: Callable[[float], object] | None = None) -> Answer: ...
+def floquet_points(sweeps: list[str]) -> int: ...
+def floquet_part(
+    plan: Plan,
+    sweeps: list[str],
+    first: int,
+    last: int,
+    progress: Callable[[float], object] | None = None,
+) -> Floats: ...
+def floquet_whole(plan: Plan, sweeps: list[str], moduli: Floats) -> Answer: ...
 def frenet(
     plan: Plan, x: str | None = None, y: str | None = None, progress: Callable[[float], object] | None = None
 ) -> Answer: ...
@@ -66,6 +75,22 @@ def basins(
     plan: Plan,
     axes: list[tuple[str, float, float, int]],
     wrap: bool,
+    threads: int | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Basins: ...
+def basins_part(
+    plan: Plan,
+    axes: list[tuple[str, float, float, int]],
+    first: int,
+    last: int,
+    threads: int | None = None,
+    progress: Callable[[float], object] | None = None,
+) -> Floats: ...
+def basins_whole(
+    plan: Plan,
+    axes: list[tuple[str, float, float, int]],
+    wrap: bool,
+    rows: Floats,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Basins: ...

@@ -8,11 +8,12 @@ import numpy as np
 
 from . import _core
 from ._catalogue import UnknownNameError
+from ._given import count
 from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
 from ._scenario import Scenario, table
 from ._sweep import Sweep, axes, same_lengths
-from ._tiles import TILE, in_tiles
+from ._tiles import TILE, done
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -190,13 +191,11 @@ def ensemble(
         atol=atol,
         options=options,
     )
-    found = axes(table("over", over))
+    found = axes(scenario, table("over", over))
+    if threads is not None:
+        count("threads", threads)
     if not product:
         same_lengths(found)
     sweep = Sweep(scenario, found, product, keep == "samples")
     with bar(progress, sweep.size, "runs") as told:
-        if client is None and store is None:
-            return Ensemble(sweep, sweep.run(0, sweep.size, threads, told))
-        return Ensemble(
-            sweep, in_tiles(sweep, client=client, tile=tile, store=store, threads=threads, told=told)
-        )
+        return Ensemble(sweep, done(sweep, client=client, tile=tile, store=store, threads=threads, told=told))

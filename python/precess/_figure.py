@@ -61,7 +61,8 @@ def _panel(axes: Axes, panel: dict[str, Any]) -> None:
     if panel["logarithmic"]:
         axes.set_yscale("log", nonpositive="mask")
     if panel["equal_scales"]:
-        axes.set_aspect("equal", adjustable="datalim")
+        # A map ends where its grid does.
+        axes.set_aspect("equal", adjustable="box" if panel["map"] else "datalim")
     axes.set(title=panel["title"], xlabel=panel["x_label"], ylabel=panel["y_label"])
     axes.set(**{f"{which}lim": panel[f"{which}_range"] for which in "xy" if panel[f"{which}_range"]})
     if named:

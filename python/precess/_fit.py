@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _core
-from ._names import nearest
+from ._given import array, number, texts
+from ._names import knows_its_keywords, nearest
 from ._progress import bar
-from ._scenario import Scenario
+from ._scenario import Scenario, table
 from ._simulate import run
 
 if TYPE_CHECKING:
@@ -84,6 +85,7 @@ class Fit:
         return f"<table><tr><th></th><th>fitted</th><th>95 %</th></tr>{rows}</table>"
 
 
+@knows_its_keywords
 def fit(
     system: str | Path | System | Scenario,
     data: object,
@@ -123,25 +125,27 @@ def fit(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    names = [columns] if isinstance(columns, str) else None if columns is None else list(columns)
-    times, table = _table(data, names)
-    given = dict(uncertainties or {})
+    names = None if columns is None else texts("columns", columns)
+    times, measured = _table(data, names)
+    given = {
+        name: number(f"uncertainty of {name}", x) for name, x in table("uncertainties", uncertainties).items()
+    }
     for name in given:
-        if name not in table:
-            raise _core.InputError(nearest("measured column", str(name), table))
-    if given and len(given) < len(table):
-        missing = next(name for name in table if name not in given)
+        if name not in measured:
+            raise _core.InputError(nearest("measured column", str(name), measured))
+    if given and len(given) < len(measured):
+        missing = next(name for name in measured if name not in given)
         raise _core.InputError(f"{missing} has no uncertainty: either every column has one, or none")
     with bar(progress, 1.0, "") as told:
         found = _core.fit(
             scenario._plan,  # noqa: SLF001
             times,
-            list(table.items()),
-            [float(given[name]) for name in table] if given else [],
-            [free] if isinstance(free, str) else list(free),
+            list(measured.items()),
+            [given[name] for name in measured] if given else [],
+            texts("free", free),
             told,
         )
-    return Fit(list(table), found)
+    return Fit(list(measured), found)
 
 
 def _table(data: object, names: list[str] | None) -> tuple[Floats, dict[str, Floats]]:
@@ -162,27 +166,16 @@ def _table(data: object, names: list[str] | None) -> tuple[Floats, dict[str, Flo
     for name in names or []:
         if name not in keys:
             raise _core.InputError(nearest("measured column", name, keys))
-    times = _column("t", data["t"])
-    return times, {name: _column(name, data[name]) for name in names or keys}
-
-
-def _column(name: str, values: Any) -> Floats:
-    try:
-        column = np.ascontiguousarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: an array of numbers is needed") from None
-    if np.ndim(values) != 1:
-        raise _core.InputError(f"{name}: an array of one dimension is needed, not of {np.ndim(values)}")
-    return column
+    return array("t", data["t"]), {name: array(name, data[name]) for name in names or keys}
 
 
 def _read(path: Path) -> dict[str, list[float]]:
     """Read a CSV file: a line of names, perhaps with units in brackets, then a line for each time."""
-    lines = [
-        line
-        for line in path.read_text(encoding="utf-8-sig").splitlines()
-        if line and not line.startswith("#")
-    ]
+    try:
+        whole = path.read_text(encoding="utf-8-sig")
+    except UnicodeDecodeError:
+        raise _core.InputError(f"{path}: this is no text") from None
+    lines = [line for line in whole.splitlines() if line and not line.startswith("#")]
     if not lines:
         raise _core.InputError(f"{path}: the file is empty")
     semicolons = ";" in lines[0]
@@ -190,13 +183,13 @@ def _read(path: Path) -> dict[str, list[float]]:
     head, *body = rows
     names = [name.split("[")[0].strip() for name in head]
     table: dict[str, list[float]] = {name: [] for name in names}
-    for number, row in enumerate(body, start=2):
+    for place, row in enumerate(body, start=2):
         if len(row) != len(names):
-            raise _core.InputError(f"{path}: row {number} has {len(row)} fields for {len(names)} names")
+            raise _core.InputError(f"{path}: row {place} has {len(row)} fields for {len(names)} names")
         for name, field in zip(names, row, strict=True):
             try:
                 table[name].append(float(field.replace(",", ".") if semicolons else field))
             except ValueError:  # noqa: PERF203
-                where = f"{path}: row {number}: {name} is no number ({field!r})"
+                where = f"{path}: row {place}: {name} is no number ({field!r})"
                 raise _core.InputError(f"{where}: leave out rows that have a gap") from None
     return table

@@ -21,20 +21,26 @@ def nearest(what: str, name: str, names: Iterable[str]) -> str:
 
 
 def knows_its_keywords(function: Callable[P, R]) -> Callable[P, R]:
-    """Make an unknown keyword argument a sentence with the nearest known one."""
-    parameters = inspect.signature(function).parameters
+    """Make an unknown keyword argument a sentence with the nearest known one.
+
+    What a function takes beside its own (`**settings`) are the settings of a scenario.
+    """
+    parameters = inspect.signature(function).parameters.values()
+    own = [
+        p.name for p in parameters if p.kind in (p.POSITIONAL_OR_KEYWORD, p.KEYWORD_ONLY) and p.name != "self"
+    ]
+    settings = any(p.kind is p.VAR_KEYWORD for p in parameters)
 
     @functools.wraps(function)
     def checked(*args: P.args, **kwargs: P.kwargs) -> R:
-        for name in kwargs:
-            if name not in parameters:
-                keywords = [
-                    p.name
-                    for p in parameters.values()
-                    if p.kind is not p.POSITIONAL_ONLY and p.name != "self"
-                ]
-                where = function.__qualname__.removesuffix(".__init__")
-                raise TypeError(nearest(f"keyword argument of {where}", name, keywords))
+        if not kwargs.keys() <= set(own):
+            from ._scenario import Settings
+
+            known = [*own, *(Settings.__annotations__ if settings else ())]
+            for name in kwargs:
+                if name not in known:
+                    where = function.__qualname__.removesuffix(".__init__")
+                    raise TypeError(nearest(f"keyword argument of {where}", name, known))
         return function(*args, **kwargs)
 
     return checked

@@ -6,10 +6,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypedDict
 
-import numpy as np
-
 from . import _core
 from ._catalogue import System, scenarios, systems
+from ._given import array, number, text
 from ._names import knows_its_keywords, nearest
 
 if TYPE_CHECKING:
@@ -94,6 +93,9 @@ class Scenario:
         if not isinstance(name, str):
             raise TypeError(f"a system is given by its id, not by {type(name).__name__}")
         run = settings(until=until, every=every, dt=dt, rtol=rtol, atol=atol, options=options)
+        if method is not None:
+            text("method", method)
+        text("title", title)
         self._plan = _core.Plan(
             name, table("parameters", parameters), table("start", start), method, run, watched(events), title
         )
@@ -108,9 +110,9 @@ class Scenario:
         return cls(system)
 
     @classmethod
-    def parse(cls, text: str) -> Scenario:
+    def parse(cls, toml: str) -> Scenario:
         """Read the text of a scenario file."""
-        return cls._of(_core.Plan.parse(text))
+        return cls._of(_core.Plan.parse(text("toml", toml)))
 
     @classmethod
     def load(cls, path: str | Path) -> Scenario:
@@ -145,6 +147,8 @@ class Scenario:
     ) -> Scenario:
         """Make the same scenario with something changed. Another method keeps the settings that it understands."""
         run = settings(until=until, every=every, dt=dt, rtol=rtol, atol=atol, options=options)
+        if method is not None:
+            text("method", method)
         plan = self._plan.changed(table("parameters", parameters), table("start", start), method, run)
         return self._of(plan)
 
@@ -208,11 +212,11 @@ class Scenario:
         `solve_ivp(scenario.rhs, (0, 10), list(scenario.start.values()), jac=scenario.jacobian)` is the same motion.
         A system with events is refused: its rates alone do not tell its motion.
         """
-        return _core.rate(self._plan, t, np.ascontiguousarray(y, dtype=np.float64))
+        return _core.rate(self._plan, number("t", t), array("y", y))
 
     def jacobian(self, t: float, y: ArrayLike) -> Floats:
         """Give the derivatives of the rates (rows) by the state (columns), exact to rounding (dual numbers)."""
-        return _core.jacobian(self._plan, t, np.ascontiguousarray(y, dtype=np.float64))
+        return _core.jacobian(self._plan, number("t", t), array("y", y))
 
     def simulate(self, *, progress: Progress = None) -> Trajectory:
         """Run it; see `precess.simulate`."""
@@ -253,12 +257,19 @@ def watched(events: Events) -> list[tuple[str | None, str, str | None, bool]]:
     found: list[tuple[str | None, str, str | None, bool]] = []
     if isinstance(events, (str, Mapping)):
         events = [events]
+    if not isinstance(events, Iterable):
+        raise TypeError(f"events: crossings such as 'theta = 0' are needed, not {type(events).__name__}")
     for event in events:
+        if not isinstance(event, (str, Mapping)):
+            raise TypeError(f"events: a text or a dictionary is needed, not {type(event).__name__}")
         given = {"when": event} if isinstance(event, str) else dict(event)
         for key in given:
             if key not in keys:
                 raise _core.InputError(nearest("key of an event", str(key), keys))
         if "when" not in given:
             raise _core.InputError("an event needs a crossing to watch, such as when='theta = 0'")
+        for key in ("when", "name", "direction"):
+            if given.get(key) is not None:
+                text(f"{key} of an event", given[key])
         found.append((given.get("name"), given["when"], given.get("direction"), bool(given.get("stop"))))
     return found

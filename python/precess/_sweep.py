@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import threading
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 import numpy as np
 
 from . import _core
+from ._given import array, text
+from ._names import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -16,6 +18,9 @@ if TYPE_CHECKING:
     from ._core import Floats
     from ._progress import Told
     from ._scenario import Scenario
+
+
+T = TypeVar("T")
 
 
 class Members(NamedTuple):
@@ -35,6 +40,11 @@ class Sweep(NamedTuple):
     axes: dict[str, Floats]
     product: bool
     samples: bool
+
+    def identity(self) -> list[object]:
+        """Give what tells this sweep from any other."""
+        axes = [[name, values.astype("<f8").tobytes().hex()] for name, values in self.axes.items()]
+        return ["ensemble", self.scenario.toml, self.product, self.samples, axes]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -92,7 +102,7 @@ class Sweep(NamedTuple):
         if len(groups) == 1:
             parts: Iterable[_core.Members] = [part(0, threads, told)]
         else:
-            parts = _side_by_side(part, [len(mine) for mine in groups], threads or os.cpu_count() or 1, told)
+            parts = side_by_side(part, [len(mine) for mine in groups], threads or os.cpu_count() or 1, told)
         numbers: Floats = np.empty(0)
         failures: dict[int, str] = {}
         for mine, done in zip(groups, parts, strict=True):
@@ -104,12 +114,12 @@ class Sweep(NamedTuple):
         return Members(times, numbers, dict(sorted(failures.items())))
 
 
-def _side_by_side(
-    part: Callable[[int, int | None, Told | None], _core.Members],
+def side_by_side(
+    part: Callable[[int, int | None, Told | None], T],
     sizes: list[int],
     threads: int,
     told: Told | None,
-) -> Iterator[_core.Members]:
+) -> Iterator[T]:
     """Give the parts in order, computed by so many threads; whatever ends the loop ends them all."""
     from concurrent.futures import ThreadPoolExecutor
 
@@ -132,20 +142,19 @@ def _side_by_side(
         pool.shutdown(cancel_futures=True)
 
 
-def axes(over: dict[str, Any]) -> dict[str, Floats]:
-    """Give the axes as arrays."""
+def axes(scenario: Scenario, over: dict[str, Any]) -> dict[str, Floats]:
+    """Give the axes as arrays, each an initial value or a parameter of the scenario."""
     if not over:
         raise _core.InputError(
             "an ensemble needs something to go over: over={'theta': [0.1, 0.2]}, for instance"
         )
+    known = [*scenario.start, *(k for k, x in scenario.parameters.items() if isinstance(x, float))]
     found = {}
     for name, values in over.items():
-        try:
-            axis = np.asarray(values, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise TypeError(f"over {name}: an array of numbers is needed") from None
-        if axis.ndim != 1:
-            raise _core.InputError(f"over {name}: an array of one dimension is needed, not of {axis.ndim}")
+        if text("over", name) not in known:
+            what = f"start or numeric parameter of {scenario.system.id}"
+            raise _core.InputError(nearest(what, name, known))
+        axis = array(f"over {name}", values)
         if axis.size == 0:
             raise _core.InputError(f"over {name}: the array is empty")
         if not np.isfinite(axis).all():

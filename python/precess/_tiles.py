@@ -1,4 +1,4 @@
-"""A sweep in tiles: on other processes, on other machines, into a folder that survives."""
+"""Work in tiles: on other processes, on other machines, into a folder that survives."""
 
 from __future__ import annotations
 
@@ -8,14 +8,16 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from . import _core
+from ._given import count as at_least_one
 from ._names import extra
-from ._sweep import Members, Sweep
+from ._sweep import Members
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
     from ._progress import Told
+    from ._scenario import Scenario
 
 # Members of a tile: a second of work, more or less, and some megabytes at most.
 TILE = 4096
@@ -30,8 +32,29 @@ class Submits(Protocol):
         """Give a future, which has a `result()`."""
 
 
-def in_tiles(
-    sweep: Sweep,
+class Work(Protocol):
+    """What may be cut anywhere: members whose numbers do not depend on one another."""
+
+    @property
+    def scenario(self) -> Scenario:
+        """What all members have in common."""
+
+    @property
+    def size(self) -> int:
+        """How many members there are."""
+
+    def identity(self) -> list[object]:
+        """Give what tells this work from any other, for JSON."""
+
+    def part(self, first: int, last: int) -> tuple[Work, int, int]:
+        """Give what a worker needs for the members from one number to another: `part[0].run(*part[1:])`."""
+
+    def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
+        """Run the members from one number to another."""
+
+
+def done(
+    work: Work,
     *,
     client: Submits | None,
     tile: int,
@@ -39,44 +62,71 @@ def in_tiles(
     threads: int | None,
     told: Told | None,
 ) -> Members:
-    """Run a sweep in tiles; those that the store has already are not run again."""
-    if tile < 1:
-        raise _core.InputError(f"tile: at least one member is needed, not {tile}")
-    kept = Store(store, sweep, tile) if store is not None else Memory(sweep)
-    tiles = [(first, min(first + tile, sweep.size)) for first in range(0, sweep.size, tile)]
+    """Do all of the work, in tiles where it is to go elsewhere or to be kept."""
+    if client is None and store is None:
+        return work.run(0, work.size, threads, told)
+    return in_tiles(work, client=client, tile=tile, store=store, threads=threads, told=told)
+
+
+def in_tiles(
+    work: Work,
+    *,
+    client: Submits | None,
+    tile: int,
+    store: str | Path | None,
+    threads: int | None,
+    told: Told | None,
+) -> Members:
+    """Do the work in tiles; those that the store has already are not done again."""
+    _check(client, tile)
+    kept = Store(store, work, tile) if store is not None else Memory(work)
+    tiles = [(first, min(first + tile, work.size)) for first in range(0, work.size, tile)]
     waiting: deque[tuple[int, int, Any]] = deque()
-    done = 0
+    count = 0
 
     def take() -> None:
-        nonlocal done
-        first, last, future = waiting.popleft()
-        members = future if isinstance(future, Members) else future.result()
+        nonlocal count
+        first, last, future = waiting[0]
+        members = future if isinstance(future, Members) else _result(future)
+        waiting.popleft()
         failures = {first + member: why for member, why in members.failures.items()}
         kept.keep(first, last, members._replace(failures=failures))
-        done += last - first
+        count += last - first
         if told is not None:
-            told(done)
+            told(count)
 
-    for first, last in tiles:
-        if kept.has(first):
-            done += last - first
-        elif client is None:
-            waiting.append((first, last, sweep.run(first, last, threads)))
-            take()
-        else:
-            waiting.append((first, last, _submit(client, sweep, first, last, threads or 1)))
-            if len(waiting) >= UNDER_WAY:
+    try:
+        for first, last in tiles:
+            if kept.has(first):
+                count += last - first
+            elif client is None:
+                waiting.append((first, last, work.run(first, last, threads)))
                 take()
-    while waiting:
-        take()
+            else:
+                waiting.append((first, last, _submit(client, work, first, last, threads or 1)))
+                if len(waiting) >= UNDER_WAY:
+                    take()
+        while waiting:
+            take()
+    finally:
+        # Nobody waits for these any more.
+        for _, _, future in waiting:
+            getattr(future, "cancel", lambda: None)()
     return kept.members()
 
 
-def _submit(client: Submits, sweep: Sweep, first: int, last: int, threads: int) -> Any:
+def _check(client: Submits | None, tile: int) -> None:
+    at_least_one("tile", tile)
+    if client is not None and not callable(getattr(client, "submit", None)):
+        kind = type(client).__name__
+        raise TypeError(f"client: a Dask client or an executor of concurrent.futures is needed, not {kind}")
+
+
+def _submit(client: Submits, work: Work, first: int, last: int, threads: int) -> Any:
     if getattr(client, "status", "running") in ("closed", "closing"):
         raise _core.InputError("the client is closed: open another one, or leave it out")
     try:
-        part, *span = sweep.part(first, last)
+        part, *span = work.part(first, last)
         return client.submit(part.run, *span, threads)
     except RuntimeError as error:
         if "shutdown" in str(error):
@@ -86,11 +136,23 @@ def _submit(client: Submits, sweep: Sweep, first: int, last: int, threads: int) 
         raise
 
 
+def _result(future: Any) -> Members:
+    from concurrent.futures import CancelledError
+
+    try:
+        found: Members = future.result()
+    except CancelledError:
+        raise _core.RunError(
+            "the client was closed before all tiles were done: with a store, the same call goes on from there"
+        ) from None
+    return found
+
+
 class Memory:
     """Tiles in the memory of this process."""
 
-    def __init__(self, sweep: Sweep) -> None:
-        self._size = sweep.size
+    def __init__(self, work: Work) -> None:
+        self._size = work.size
         self._numbers: Any = None
         self._times: Any = None
         self._failures: dict[int, str] = {}
@@ -116,8 +178,8 @@ class Memory:
 class Store:
     """Tiles in a Zarr group: `numbers` in chunks of a tile, `times`, `done`, and the failures as attributes."""
 
-    def __init__(self, path: str | Path, sweep: Sweep, tile: int) -> None:
-        self._sweep = sweep
+    def __init__(self, path: str | Path, work: Work, tile: int) -> None:
+        self._work = work
         self._tile = tile
         self._group = _group(path)
         name = self._name()
@@ -125,25 +187,18 @@ class Store:
             raise _core.InputError(
                 f"{path} holds another sweep, or tiles of another size: give another folder"
             )
-        count = -(-sweep.size // tile)
+        count = -(-work.size // tile)
         if "done" not in self._group:
             self._group.create_array("done", shape=(count,), dtype="u1", fill_value=0)
-            self._group.attrs["scenario"] = sweep.scenario.toml
+            self._group.attrs["scenario"] = work.scenario.toml
         self._done = self._group["done"][:]
 
     def _name(self) -> str:
-        """Give what tells this sweep from any other."""
+        """Give what tells these tiles from any others."""
         import hashlib
         import json
 
-        sweep = self._sweep
-        digest = hashlib.sha256(
-            json.dumps([sweep.scenario.toml, sweep.product, sweep.samples, self._tile]).encode()
-        )
-        for name, values in sweep.axes.items():
-            digest.update(name.encode())
-            digest.update(values.astype("<f8").tobytes())
-        return digest.hexdigest()
+        return hashlib.sha256(json.dumps([*self._work.identity(), self._tile]).encode()).hexdigest()
 
     def has(self, first: int) -> bool:
         """Tell whether a tile is there."""
@@ -152,8 +207,8 @@ class Store:
     def keep(self, first: int, last: int, members: Members) -> None:
         """Keep a tile; it counts as done once all of it is there."""
         if "numbers" not in self._group:
-            shape = (self._sweep.size, *members.numbers.shape[1:])
-            chunks = (min(self._tile, self._sweep.size), *members.numbers.shape[1:])
+            shape = (self._work.size, *members.numbers.shape[1:])
+            chunks = (min(self._tile, self._work.size), *members.numbers.shape[1:])
             self._group.create_array("numbers", shape=shape, chunks=chunks, dtype="f8", fill_value=np.nan)
             self._group.create_array("times", data=members.times)
         self._group["numbers"][first:last] = members.numbers

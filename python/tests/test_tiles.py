@@ -63,8 +63,67 @@ def test_a_sweep_that_was_stopped_resumes(alone: precess.Ensemble, tmp_path: Pat
     assert again.numbers.tobytes() == alone.numbers.tobytes()
     with pytest.raises(precess.InputError, match="holds another sweep"):
         precess.ensemble(SWEEP, {**OVER, "d": [0.1, 0.3]}, store=store, tile=100)
-    with pytest.raises(precess.InputError, match="at least one member"):
+    with pytest.raises(precess.InputError, match="tile: at least one is needed, not 0"):
         precess.ensemble(SWEEP, OVER, store=store, tile=0)
+
+
+def test_basins_in_tiles_have_the_same_bits(tmp_path: Path) -> None:
+    over = {"x": (-1.5, 1.5, 17), "y": (-1.5, 1.0, 13)}
+    settings: dict[str, Any] = {"start": {"y_dot": 0}, "until": 20}
+    here = precess.basins("magnetic_pendulum", over, **settings)
+    told: list[float] = []
+    with ThreadPoolExecutor(2) as pool:
+        there = precess.basins(
+            "magnetic_pendulum",
+            over,
+            client=pool,
+            tile=50,
+            store=tmp_path / "map",
+            progress=told.append,
+            **settings,
+        )
+    assert told[-1] == 1
+    for basins in (
+        there,
+        precess.basins("magnetic_pendulum", over, store=tmp_path / "map", tile=50, **settings),
+    ):
+        assert basins.labels.tobytes() == here.labels.tobytes()
+        assert basins.times.tobytes() == here.times.tobytes()
+        assert basins.attractors == here.attractors
+        assert basins.summary == here.summary
+    with pytest.raises(precess.InputError, match="holds another sweep"):
+        precess.basins("magnetic_pendulum", over, store=tmp_path / "map", tile=49, **settings)
+
+
+def test_multipliers_and_exponents_in_tiles_have_the_same_bits(tmp_path: Path) -> None:
+    sweep = {"h": (0.0, 0.4, 5), "alpha": (0.8, 2.4, 4)}
+    here = precess.floquet("parametric_oscillator", sweep)
+    with ThreadPoolExecutor(2) as pool:
+        there = precess.floquet("parametric_oscillator", sweep, client=pool, tile=7, store=tmp_path / "map")
+        assert there.numbers.tobytes() == here.numbers.tobytes()
+        assert there.summary == here.summary
+        over = {"rho": [0.5, 28.0], "x": [1.0, 2.0, 3.0]}
+        alone = precess.lyapunov_sweep("lorenz", over, until=5)
+        tiles = precess.lyapunov_sweep("lorenz", over, until=5, client=pool, tile=4)
+    assert tiles.exponents.tobytes() == alone.exponents.tobytes()
+    assert alone.exponents.shape == (2, 3, 3)
+    one = precess.lyapunov("lorenz", parameters={"rho": 28.0}, start={"x": 2.0}, until=5)
+    assert alone.exponents[1, 1].tobytes() == one["exponent"].tobytes()
+    assert alone.errors[1, 1].tobytes() == one["error"].tobytes()
+    assert alone.to_xarray()["exponent"].dims == ("rho", "x", "index")
+    assert (alone.largest[0] < 0).all()
+    assert alone.plot().axes
+    with pytest.raises(precess.InputError, match="one motion cannot be cut"):
+        precess.floquet("parametric_oscillator", store=tmp_path / "one")
+
+
+def test_what_is_no_client_is_refused() -> None:
+    with pytest.raises(TypeError, match=r"a Dask client or an executor of .* is needed, not int"):
+        precess.ensemble(SWEEP, OVER, client=3)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="tile: a whole number is needed, not float"):
+        precess.ensemble(SWEEP, OVER, client=ThreadPoolExecutor(1), tile=1.5)  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="no keyword argument of basins 'clinet': did you mean 'client'"):
+        precess.basins("magnetic_pendulum", {"x": (0, 1, 2)}, clinet=None)  # type: ignore[call-arg]
 
 
 @pytest.mark.filterwarnings("ignore")

@@ -58,6 +58,10 @@ async function picture(page: Page, selector: string): Promise<string> {
   });
 }
 
+/** All that is on a canvas. */
+const drawing = (page: Page, selector: string) =>
+  page.locator(selector).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL());
+
 test("a top precesses on the first page, without a click", async ({ page }) => {
   await open(page);
   await expect(page.locator("[data-scene=gyroscope]")).toBeVisible();
@@ -383,9 +387,80 @@ test("a map of starts fills itself, coarse first, and a click opens the run from
   const picture = page.locator("[data-map-picture]");
   await expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
   expect(await barriers(page, "main")).toEqual([]);
+  const colours = await drawing(page, "[data-map-picture]");
   await picture.click({ position: { x: 60, y: 60 } });
   await expect(page.locator("[data-field=x]")).toHaveValue(/^-\d/);
   await expect(page.locator("[data-field=y]")).toHaveValue(/^\d/);
   // A click changes the run, not the map.
   await expect(picture).toHaveAttribute("data-done", String(96 ** 2));
+  expect(await drawing(page, "[data-map-picture]")).toBe(colours);
+  // Without colours the basins are told apart by what is drawn on them.
+  await page.locator("[data-patterns]").click();
+  await expect.poll(() => drawing(page, "[data-map-picture]")).not.toBe(colours);
+});
+
+test("a magnet is moved on the map, by hand and by key, and the map is drawn anew", async ({ page }) => {
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  await page.locator("[data-map]").click();
+  const field = page.locator("[data-field=magnets]");
+  const magnet = page.locator("[data-handle^='magnets 1']");
+  await expect(page.locator("[data-map-picture]")).not.toHaveAttribute("data-done", "0");
+  const before = await drawing(page, "[data-map-picture]");
+  await magnet.scrollIntoViewIfNeeded();
+  const box = await magnet.boundingBox();
+  if (!box) throw new Error("no magnet");
+  await page.mouse.move(box.x + 12, box.y + 12);
+  await page.mouse.down();
+  for (const k of [1, 2, 3]) await page.mouse.move(box.x + 12 + 15 * k, box.y + 12 - 20 * k);
+  await page.mouse.up();
+  await expect(field).toHaveValue(/^\[\[0\.[6-9]\d*; 0\.[1-4]\d*; 1\]; \[-0\.25; 0\.433; 1\]/);
+  await expect.poll(() => drawing(page, "[data-map-picture]")).not.toBe(before);
+  // The whole drag is one step, and each press of a key another.
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(field).toHaveValue("[[0.5; 0; 1]; [-0.25; 0.433; 1]; [-0.25; -0.433; 1]]");
+  await magnet.focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(field).toHaveValue(/^\[\[0\.4\d*; 0; 1\]/);
+  await expect(page.locator("[data-handle^='magnets 1']")).toBeFocused();
+});
+
+test("an exercise is answered, checked by the simulation, opened and printed", async ({ page }) => {
+  await open(page);
+  await page.locator("[data-exercise-list]").click();
+  const card = page.locator("[data-exercise=taut-string]");
+  const field = card.getByLabel("Your answer");
+  await field.fill("6");
+  await field.press("Enter");
+  await expect(card.locator("[data-verdict=small]")).toContainText("Too small");
+  await field.fill("much");
+  await field.press("Enter");
+  await expect(card.getByRole("status")).toContainText("not a number");
+  await field.fill("(5*9,81)^0.5");
+  await card.getByRole("button", { name: "Check" }).click();
+  await expect(card.locator("[data-verdict=right]")).toContainText("7.0036 rad/s");
+  expect(await barriers(page, "[data-exercises]")).toEqual([]);
+  await card.getByRole("button", { name: "Open the run" }).click();
+  await expect(page.locator("[data-field=theta_dot]")).toHaveValue("5");
+  await page.getByLabel("This system only").check();
+  await expect(page.locator("[data-exercise=ellipse]")).toHaveCount(0);
+  await page.emulateMedia({ media: "print" });
+  await expect(card).toBeVisible();
+  await expect(page.locator("[data-scene]")).toBeHidden();
+  await expect(page.locator("[data-system]").first()).toBeHidden();
+});
+
+test("a free body is shown as Poinsot saw it, too", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "free_body");
+  let before = "";
+  for (const title of ["Scene", "Ellipsoid on its plane", "Two cones"]) {
+    await page.locator("[data-which]").selectOption(title);
+    await expect.poll(() => picture(page, "[data-scene]")).not.toBe(before);
+    before = await picture(page, "[data-scene]");
+    expect(new Set(before.split(",")).size).toBeGreaterThan(20);
+  }
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-which]")).toHaveCount(0);
 });

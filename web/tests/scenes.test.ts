@@ -11,6 +11,7 @@ import { Pen } from "../src/scenes/kit/pen";
 import type { Place, Scene } from "../src/scenes/kit/scene";
 import { axis, usual } from "../src/scenes/kit/usual";
 import { polynomial } from "../src/scenes/kit/landscape";
+import { cones, ellipsoid, product, upright } from "../src/scenes/kit/poinsot";
 import { supportOf, surface, turned } from "../src/scenes/kit/table";
 import { load } from "./builds";
 
@@ -60,6 +61,35 @@ test("every scene and every picture belongs to a system", () => {
   const ids = systems.map(({ id }) => id);
   const named = (path: string) => path.replace(/.*\/|\.\w+$/g, "");
   for (const path of [...Object.keys(files), ...pictures]) expect(ids).toContain(named(path));
+});
+
+test("every system has a scene and a picture of its own", () => {
+  for (const { id } of systems) {
+    expect(sceneOf(id), id).toBeDefined();
+    expect(pictures, id).toContain(`../src/thumbnails/${id}.webp`);
+  }
+});
+
+test("what touches on the body lies where it touches on the table", () => {
+  const touching = systems.filter(({ id }) => {
+    const scene = sceneOf(id);
+    return scene?.kind === "solid" && scene.follow && scene.paths !== undefined;
+  });
+  expect(touching.length).toBeGreaterThanOrEqual(11);
+  for (const { id } of touching) {
+    const [look, scene] = [usualRun(id), sceneOf(id)];
+    if (scene?.kind !== "solid") continue;
+    const size = scene.size(look);
+    for (const sample of [0, look.times.length >> 2, look.times.length >> 1]) {
+      const { place, turn } = scene.pose(look, sample);
+      const [on] = scene.paths ?? [];
+      const [dx, dy, dz] = turned(turn, on?.at(look, sample) ?? [NaN, NaN, NaN]);
+      const [x, y] = scene.trace(look, sample);
+      // A little outside the body, so that it is seen.
+      for (const apart of [place[0] + dx - x, place[1] + dy - y, place[2] + dz])
+        expect(Math.abs(apart), id).toBeLessThan(0.01 * size);
+    }
+  }
 });
 
 test.each(systems.map(({ id }) => id))("%s is drawn, moves, and is drawn by the usual scene too", (id) => {
@@ -142,6 +172,34 @@ test("bodies point where the core says", () => {
       });
       if (look.has("qw")) expect(axis(look, sample)[2]).toBeCloseTo(look.at("axis_z", sample), 6);
     }
+  }
+});
+
+test("the polhode rolls on the herpolhode, which lies in the invariable plane", () => {
+  const look = usualRun("free_body");
+  const last = look.times.length - 1;
+  const up = upright(look);
+  const l: Place = [look.at("Lx", 0), look.at("Ly", 0), look.at("Lz", 0)];
+  expect(turned(up, l)[2]).toBeCloseTo(Math.hypot(...l), 12);
+  const [once, twice] = [turned(product(up, up), l), turned(up, turned(up, l))];
+  once.forEach((x, axis) => {
+    expect(x).toBeCloseTo(twice[axis] ?? NaN, 12);
+  });
+  for (const scene of [ellipsoid, cones]) {
+    const [polhode] = scene.paths ?? [];
+    const heights: number[] = [];
+    for (let k = 0; k <= last; k += 97) {
+      const touch = turned(scene.pose(look, k).turn, polhode?.at(look, k) ?? [NaN, NaN, NaN]);
+      const there = scene.trace(look, k);
+      // Both are drawn off by a little, so that they are seen: the plane's by a fixed length, the body's by a share.
+      const off = 0.004 + 0.002 * Math.hypot(...touch) + 1e-6;
+      touch.forEach((x, axis) => {
+        expect(Math.abs(x - (there[axis] ?? NaN))).toBeLessThan(off);
+      });
+      heights.push(there[2]);
+    }
+    expect(Math.max(...heights) - Math.min(...heights)).toBeLessThan(1e-7);
+    if (scene.table) expect(heights[0]).toBeCloseTo(scene.table(look) ?? NaN, 2);
   }
 });
 

@@ -1,22 +1,14 @@
 //! `precess fit` and `precess sensitivity` as a person types them.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod program;
 
-fn precess(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_precess")).args(arguments).output().expect("the program runs")
-}
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
-}
+use program::{Folder, err, out, precess};
 
 #[test]
 fn a_fit_finds_what_a_run_was_made_with() {
-    let (data, fitted) = (file("swing.csv"), file("fitted.toml"));
-    let (data, fitted) = (data.to_str().expect("a path"), fitted.to_str().expect("a path"));
+    let folder = Folder::new("fit");
+    let (data, fitted, gap) = (folder.file("swing.csv"), folder.file("fitted.toml"), folder.file("gap.csv"));
+    let (data, fitted, gap) = (data.as_str(), fitted.as_str(), gap.as_str());
     let made = precess(&[
         "run",
         "pendulum",
@@ -31,7 +23,7 @@ fn a_fit_finds_what_a_run_was_made_with() {
         "-o",
         data,
     ]);
-    assert!(made.status.success(), "{}", text(&made.stderr));
+    assert!(made.status.success(), "{}", err(&made));
     let found = precess(&[
         "fit",
         "pendulum",
@@ -44,27 +36,26 @@ fn a_fit_finds_what_a_run_was_made_with() {
         "--save",
         fitted,
     ]);
-    assert!(found.status.success(), "{}", text(&found.stderr));
-    let table = text(&found.stdout);
+    assert!(found.status.success(), "{}", err(&found));
+    let table = out(&found);
     let values: Vec<f64> =
         table.lines().skip(1).filter_map(|line| line.split(',').nth(1)?.parse().ok()).collect();
     assert!((values[0] - 0.6).abs() < 1e-7 && (values[1] - 0.8).abs() < 1e-7, "{table}");
-    assert!(text(&found.stderr).contains("l = 0.8"), "{}", text(&found.stderr));
+    assert!(err(&found).contains("l = 0.8"), "{}", err(&found));
     let again = precess(&["run", fitted, "--until", "1", "--every", "1", "-q", "-o", "-"]);
-    assert!(again.status.success(), "{}", text(&again.stderr));
+    assert!(again.status.success(), "{}", err(&again));
 
-    let gap = file("gap.csv");
-    std::fs::write(&gap, "t,theta\n0,1\n1,\n").expect("a file");
+    std::fs::write(gap, "t,theta\n0,1\n1,\n").expect("a file");
     for (arguments, sentence) in [
-        (vec!["--data", gap.to_str().expect("a path"), "--free", "l"], "line 3: theta is no number"),
+        (vec!["--data", gap, "--free", "l"], "line 3: theta is no number"),
         (vec!["--data", data, "--columns", "thet", "--free", "l"], "did you mean 'theta'"),
         (vec!["--data", data, "--columns", "theta", "--free", "m"], "the data do not determine m"),
         (vec!["--data", "nowhere.csv", "--free", "l"], "cannot read 'nowhere.csv'"),
         (vec!["--data", data, "--free", "l", "--columns", "theta", "--uncertainty", "phi=1"], "'phi'"),
     ] {
         let refused = precess(&[&["fit", "pendulum"], arguments.as_slice()].concat());
-        assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
-        assert!(text(&refused.stderr).contains(sentence), "{}", text(&refused.stderr));
+        assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
+        assert!(err(&refused).contains(sentence), "{}", err(&refused));
     }
 }
 
@@ -81,12 +72,12 @@ fn a_sensitivity_is_a_table_of_derivatives() {
         "0.5",
         "-q",
     ]);
-    assert!(found.status.success(), "{}", text(&found.stderr));
-    let table = text(&found.stdout);
+    assert!(found.status.success(), "{}", err(&found));
+    let table = out(&found);
     assert!(table.starts_with("t,x,x_dot,"), "{table}");
     assert!(table.contains("dx_dx,dx_dot_dx,") && table.contains("dx_domega,"), "{table}");
     assert_eq!(table.lines().count(), 4);
     let refused = precess(&["sensitivity", "noria", "--along", "J"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(text(&refused.stderr).contains("needs a motion without jumps"), "{}", text(&refused.stderr));
+    assert!(err(&refused).contains("needs a motion without jumps"), "{}", err(&refused));
 }

@@ -54,6 +54,8 @@ pub use scenario::{
 };
 pub use workers::Workers;
 
+#[cfg(feature = "analyses")]
+pub use precess_analysis as analysis;
 pub use precess_integrate as integrate;
 pub use precess_scalar as scalar;
 pub use precess_system as system;

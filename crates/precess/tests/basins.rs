@@ -1,6 +1,8 @@
 //! Basins: attractors that are known, labels held against long runs, what the map says, refusals.
 
-use precess::basins::{Basins, BasinsSpec, ESCAPED, Kind, UNDECIDED, basins, entropy, fraction, uncertainty};
+use precess::basins::{
+    Basins, BasinsSpec, ESCAPED, Kind, UNDECIDED, basins, entropy, fraction, part, uncertainty, whole,
+};
 use precess::scalar::Isa;
 use precess::value::{Value, parse};
 use precess::{Axis, Plan, Scenario, Workers, run};
@@ -85,6 +87,42 @@ fn the_magnets_labels_are_right_in_all_lanes_and_threads() {
         let near = |state: &[f64]| (ended[0] - state[0]).abs() + (ended[1] - state[1]).abs() < 1e-2;
         let right = map.attractors.iter().position(|a| near(&a.state));
         assert_eq!(usize::try_from(map.labels[k]).ok(), right, "from ({x}, {y}), which ends at {ended:?}");
+    }
+}
+
+/// Wells, traps about driven cycles, and starts that nobody decides: cut anywhere, in any lanes, the bits are the same.
+#[test]
+fn parts_make_the_same_whole_wherever_they_are_cut() {
+    let mut magnets = scenario("magnetic_pendulum", &MAGNETS, &[("until", 12.0)]);
+    magnets.start = vec![("y_dot".into(), Value::number(0.0))];
+    let driven = scenario("duffing", &[("gamma", "0.1")], &[("until", 60.0)]);
+    let cases = [
+        (magnets, spec(&[axis("x", -2.0, 2.0, 11), axis("y", -2.0, 2.0, 9)])),
+        (driven, spec(&[axis("x", -2.0, 2.0, 10), axis("x_dot", -1.0, 1.0, 7)])),
+    ];
+    for (scenario, grid) in cases {
+        let map = found(&scenario, &grid);
+        let members = map.labels.len();
+        let mut rows = vec![];
+        for (k, isa) in Isa::available().into_iter().cycle().take(4).enumerate() {
+            let workers = Workers { isa, threads: 1 + k % 2 };
+            // Not into equal pieces.
+            let cut = |k: usize| members * k * k / 16;
+            let mine =
+                part(&scenario, &grid, cut(k)..cut(k + 1), workers, &mut |_| ControlFlow::Continue(()));
+            rows.extend(mine.expect("a part").0);
+        }
+        let workers = Workers { isa: Isa::Scalar, threads: 1 };
+        let same =
+            whole(&scenario, &grid, &rows, workers, &mut |_| ControlFlow::Continue(())).expect("basins");
+        let bits = |map: &Basins| map.times.iter().map(|t| t.to_bits()).collect::<Vec<_>>();
+        assert_eq!(same.labels, map.labels);
+        assert_eq!(bits(&same), bits(&map));
+        assert_eq!(same.attractors, map.attractors);
+        assert!(map.labels.contains(&UNDECIDED) || map.attractors.len() == 2, "{}", map.attractors.len());
+        assert!(whole(&scenario, &grid, &rows[1..], workers, &mut |_| ControlFlow::Continue(())).is_err());
+        let beyond = part(&scenario, &grid, 0..members + 1, workers, &mut |_| ControlFlow::Continue(()));
+        assert!(beyond.is_err());
     }
 }
 

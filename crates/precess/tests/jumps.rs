@@ -1,6 +1,7 @@
 //! Systems that change their mind on the way: the string of a pendulum, dry friction, bodies that collide; and the
 //! asteroids of a cluster, by parts and as a whole.
 
+use precess::integrate::Failure;
 use precess::scalar::Scalar;
 use precess::value::{Value, parse};
 use precess::{Outcome, Plan, Scenario, drifts, hash, run};

@@ -89,7 +89,7 @@ fn every_system_answers_as_its_differences() {
                 continue;
             };
             held += 1;
-            let blur = a.iter().fold(1.0, |most: f64, x| x.abs().larger(most)) * 1e-12 / h;
+            let blur = a.iter().fold(1.0, |most: f64, x| x.abs().larger(most)) * 3e-13 / h;
             for (j, slope) in found.slopes[k * width..][..state.len()].iter().enumerate() {
                 // Fourth order, of runs that tolerance and rounding blur.
                 let difference = (8.0 * (c[j] - b[j]) - (d[j] - a[j])) / (12.0 * h);

@@ -140,6 +140,42 @@ pub fn floquet(
     Answer::of(py, answer)
 }
 
+/// How many points the sweeps have.
+#[pyfunction]
+pub fn floquet_points(sweeps: Vec<String>) -> PyResult<usize> {
+    analyses::floquet_points(&FloquetSpec { sweeps }).map_err(exception)
+}
+
+/// The largest moduli at the points from one number to another, for `floquet_whole`.
+#[pyfunction]
+#[pyo3(signature = (plan, sweeps, first, last, progress=None))]
+pub fn floquet_part(
+    py: Python,
+    plan: &Plan,
+    sweeps: Vec<String>,
+    first: usize,
+    last: usize,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<Py<PyArray1<f64>>> {
+    let spec = FloquetSpec { sweeps };
+    let moduli =
+        asked(py, progress, |told| analyses::floquet_part(&plan.scenario, &spec, first..last, told))?;
+    Ok(moduli.into_pyarray(py).unbind())
+}
+
+/// The answer from the moduli at all points.
+#[pyfunction]
+pub fn floquet_whole(
+    py: Python,
+    plan: &Plan,
+    sweeps: Vec<String>,
+    moduli: PyReadonlyArray1<f64>,
+) -> PyResult<Answer> {
+    let moduli = moduli.as_array().to_vec();
+    let answer = analyses::floquet_whole(&plan.scenario, &FloquetSpec { sweeps }, &moduli);
+    Answer::of(py, answer.map_err(exception)?)
+}
+
 /// A path in a plane with its curvature.
 #[pyfunction]
 #[pyo3(signature = (plan, x=None, y=None, progress=None))]

@@ -54,20 +54,9 @@ pub fn jacobian<'py>(
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let plan = &plan.plan;
     let y = full(plan, &y)?;
-    let size = plan.layout.shape().state();
     let field = Bind::<Dual<f64>>::bind(plan.system, plan.values.map(|&x| Dual::from(x)), &plan.layout);
-    let mut dual: Vec<Dual<f64>> = y.iter().map(|&x| Dual::from(x)).collect();
-    let mut rate = dual.clone();
-    let mut rows = vec![0.0; size * size];
-    for column in 0..size {
-        dual[column].slope = 1.0;
-        field.rate(Dual::from(t), &dual, &mut rate);
-        dual[column].slope = 0.0;
-        for row in 0..size {
-            rows[row * size + column] = rate[row].slope;
-        }
-    }
-    rows.into_pyarray(py).reshape([size, size])
+    let matrix = precess::analysis::jacobian(&*field, t, &y);
+    matrix.numbers.into_pyarray(py).reshape([matrix.size, matrix.size])
 }
 
 /// An operation: its name, what it is computed from, and a number where it has one.

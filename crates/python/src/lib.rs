@@ -22,11 +22,11 @@ mod watch;
 mod _core {
     #[pymodule_export]
     use crate::analyses::{
-        Answer, Fit, bifurcation, fit, floquet, frenet, lyapunov, picture, poincare, portrait, response,
-        sensitivities,
+        Answer, Fit, bifurcation, fit, floquet, floquet_part, floquet_points, floquet_whole, frenet,
+        lyapunov, picture, poincare, portrait, response, sensitivities,
     };
     #[pymodule_export]
-    use crate::basins::{Basins, basins};
+    use crate::basins::{Basins, basins, basins_part, basins_whole};
     #[pymodule_export]
     use crate::cards::{
         method_cards, scenario_texts, system_card, system_equations, system_ids, unknown, version,

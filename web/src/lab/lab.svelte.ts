@@ -5,6 +5,7 @@ import first from "../first.toml?raw";
 import firstPage from "virtual:first-page";
 import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
+import { remember, remembered } from "./memory";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
 import { Cancelled, Refusal, Runner, type Done } from "./runner";
@@ -18,23 +19,6 @@ export interface Rival {
   method: Method;
   look: Look | undefined;
   refusal: string;
-}
-
-function remembered<T extends string>(key: string, choices: readonly T[]): T | undefined {
-  try {
-    const found = localStorage.getItem(`precess.${key}`);
-    return choices.find((choice) => choice === found);
-  } catch {
-    return undefined;
-  }
-}
-
-function remember(key: string, value: string): void {
-  try {
-    localStorage.setItem(`precess.${key}`, value);
-  } catch {
-    // A browser that keeps nothing still runs the lab.
-  }
 }
 
 const FIRST = toml(scenarioOf(first));
@@ -55,6 +39,7 @@ export class Lab {
   whole = $state(false);
   readonly #runner: Runner;
   #everything: Promise<void> | undefined;
+  #address: ReturnType<typeof setTimeout> | undefined;
 
   #history = $state.raw<Scenario[]>([]);
   #at = $state(0);
@@ -107,6 +92,11 @@ export class Lab {
   async #done(text: string, progress?: (t: number) => void): Promise<Done> {
     if (text !== FIRST) await this.#everythingElse();
     return this.#runner.run(text, progress);
+  }
+
+  /** A run beside the one at hand, for whoever asks something of it. */
+  compute(text: string): Promise<Done> {
+    return this.#done(text);
   }
 
   get scenario(): Scenario {
@@ -218,10 +208,14 @@ export class Lab {
 
   #changed(): void {
     this.notice = "";
-    const { scenario } = this;
-    void this.link().then((link) => {
-      if (scenario === this.scenario) history.replaceState(null, "", link);
-    });
+    // Browsers refuse an address that changes with every move of a drag.
+    clearTimeout(this.#address);
+    this.#address = setTimeout(() => {
+      const { scenario } = this;
+      void this.link().then((link) => {
+        if (scenario === this.scenario) history.replaceState(null, "", link);
+      });
+    }, 150);
     void this.#run();
   }
 

@@ -1,4 +1,5 @@
-// Computes a map in several workers, coarse first; a newer map takes the place of the one in progress.
+// Computes a map in several workers, coarse first; a newer map takes the place of the one in progress, as soon as that
+// one has a first coarse picture: a drag shows something all the time.
 
 import { tiles, type Axis } from "../core";
 import plainUrl from "../../wasm/precess.wasm?url";
@@ -13,23 +14,37 @@ const SIMD = new Uint8Array([
 /** Points along the edge of a tile: small enough for a tile that nobody wants any more to end soon. */
 const EDGE = 16;
 
+/** A map that is wanted: some columns of the last state over a grid of starts. */
+export interface MapAsk {
+  text: string;
+  axes: Axis[];
+  columns: string[];
+  /** Hears each tile as it is done. */
+  told: (tile: TileAnswer) => void;
+}
+
 export class Mapper {
   readonly #module: WebAssembly.Module;
   readonly #workers: Worker[];
   readonly #idle: Worker[];
   #queue: Iterator<Axis[]> | undefined;
   #round = 0;
-  #text = "";
-  #column = "";
-  #told: (answer: TileAnswer) => void = () => undefined;
+  #now: MapAsk | undefined;
+  /** The newest wish, while the one before waits for its first tile. */
+  #next: MapAsk | undefined;
+  #blank = false;
 
   private constructor(module: WebAssembly.Module, workers: number) {
     this.#module = module;
     this.#workers = Array.from({ length: workers }, () => {
       const worker = new Worker(new URL("./mapworker.ts", import.meta.url), { type: "module" });
       worker.onmessage = ({ data }: MessageEvent<TileAnswer>) => {
-        if (data.round === this.#round) this.#told(data);
         this.#idle.push(worker);
+        if (data.round === this.#round) {
+          this.#blank = false;
+          this.#now?.told(data);
+          if (this.#next) this.compute(this.#next);
+        }
         this.#spread();
       };
       return worker;
@@ -46,16 +61,18 @@ export class Mapper {
     return new Mapper(module, Math.min(Math.max(navigator.hardwareConcurrency - 1, 1), 8));
   }
 
-  /** Asks for a column of the last state over a grid of starts; `told` hears each tile as it is done. */
-  compute(text: string, axes: Axis[], column: string, told: (answer: TileAnswer) => void): void {
+  compute(ask: MapAsk): void {
+    this.#next = this.#blank ? ask : undefined;
+    if (this.#next) return;
     this.#round++;
-    [this.#text, this.#column, this.#told] = [text, column, told];
-    this.#queue = tiles(axes, 8, EDGE);
+    this.#now = ask;
+    this.#blank = true;
+    this.#queue = tiles(ask.axes, 8, EDGE);
     this.#spread();
   }
 
   #spread(): void {
-    while (this.#queue && this.#idle.length > 0) {
+    while (this.#queue && this.#now && this.#idle.length > 0) {
       const next = this.#queue.next();
       if (next.done) {
         this.#queue = undefined;
@@ -64,9 +81,9 @@ export class Mapper {
       const ask: TileAsk = {
         module: this.#module,
         round: this.#round,
-        text: this.#text,
+        text: this.#now.text,
         tile: next.value,
-        column: this.#column,
+        columns: this.#now.columns,
       };
       this.#idle.pop()?.postMessage(ask);
     }

@@ -8,12 +8,13 @@ export interface TileAsk {
   round: number;
   text: string;
   tile: Axis[];
-  column: string;
+  columns: string[];
 }
 export interface TileAnswer {
   round: number;
   tile: Axis[];
-  values: Float64Array;
+  /** A column each, of the states at the end. */
+  values: Float64Array[];
   refusal: string;
 }
 
@@ -26,14 +27,14 @@ addEventListener("message", ({ data }: MessageEvent<TileAsk>) => {
   });
 });
 
-function compute(core: Core, { round, text, tile, column }: TileAsk): TileAnswer {
+function compute(core: Core, { round, text, tile, columns }: TileAsk): TileAnswer {
   try {
     const part = core.ensemble(text, tile);
-    const values = part.column(column);
+    const values = columns.map((column) => part.column(column));
     part.free();
     return { round, tile, values, refusal: "" };
   } catch (error) {
     const refusal = error instanceof Error ? error.message : String(error);
-    return { round, tile, values: new Float64Array(0), refusal };
+    return { round, tile, values: [], refusal };
   }
 }

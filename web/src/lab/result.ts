@@ -84,7 +84,7 @@ export class Look {
 }
 
 /** `[10; 1]` and `[[0.5; 0; 1]; [1; 2; 3]]`, as the reader of scenarios writes lists. */
-function rowsOf(text: string): number[][] {
+export function rowsOf(text: string): number[][] {
   const rows = JSON.parse(text.replaceAll(";", ",")) as (number | number[])[];
   return rows.map((row) => (typeof row === "number" ? [row] : row));
 }

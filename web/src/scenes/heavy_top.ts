@@ -1,6 +1,6 @@
 import type { Look } from "../lab/result";
 import type { Place, Solid } from "./kit/scene";
-import { attitude } from "./kit/usual";
+import { attitude } from "./kit/table";
 
 const centre = (look: Look): Place => {
   const [x = 0, y = 0, z = 0] = look.list("centre").map(([c = 0]) => c);

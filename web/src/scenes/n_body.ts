@@ -1,11 +1,15 @@
 import type { Look } from "../lab/result";
+import { frame } from "./kit/frame";
 import type { Flat } from "./kit/scene";
 
 const bodies = (look: Look) => look.list("masses").map((row) => row[0] ?? 0);
 
+const view = (look: Look) => frame(look, [...bodies(look).keys()], 0);
+
 const scene: Flat = {
   kind: "flat",
-  reach: (look) => look.reach(...bodies(look).flatMap((_, k) => [`x${k}`, `y${k}`])),
+  reach: (look) => view(look).reach,
+  centre: (look) => view(look).centre,
   draw(pen, look, sample) {
     const masses = bodies(look);
     const heaviest = Math.max(...masses);

@@ -13,12 +13,14 @@ const at = (look: Look, length: number): Point => {
 
 const scene: Flat = {
   kind: "flat",
-  reach: (look) => (hangs(look) ? 0.72 * size(look) : [0.75 * size(look), 0.28 * size(look)]),
+  reach: (look) => (hangs(look) ? 0.72 * size(look) : [0.8 * size(look), 0.28 * size(look)]),
   draw(pen, look, sample) {
     const s = size(look);
     const [length, x] = [look.at("length", sample), look.at("x", sample)];
-    const [mass, rest, end] = [at(look, length), at(look, length - x), at(look, 0)];
     const half = 0.07 * s;
+    // The spring ends at the near side of the mass.
+    const [side, mass] = [at(look, length), at(look, length + half)];
+    const [rest, end] = [at(look, length - x + half), at(look, 0)];
     if (hangs(look)) {
       pen.ceiling(0.25 * s, end[1]);
       pen.line(
@@ -48,14 +50,14 @@ const scene: Flat = {
         pen.ink.faint,
       );
     }
-    pen.spring(end, mass, 0.05 * s);
+    pen.spring(end, side, 0.05 * s);
     pen.box(...mass, half, 1);
     // The pull of the spring, to scale with its largest.
     const pull = look.at("force", sample) / (look.reach("force") || 1);
     pen.arrow(mass, hangs(look) ? [0, 0.25 * s * pull] : [-0.25 * s * pull, 0]);
   },
   drag(look, _sample, x, y) {
-    const length = hangs(look) ? at(look, 0)[1] - y : x - at(look, 0)[0];
+    const length = (hangs(look) ? at(look, 0)[1] - y : x - at(look, 0)[0]) - 0.07 * size(look);
     return { x: length - (look.at("length", 0) - look.at("x", 0)), x_dot: 0 };
   },
 };

@@ -85,8 +85,16 @@ export const en = {
   invariants: "Drift of the invariants",
   map: "Map of starts",
   colour: "colour",
+  exercises: "Exercises",
   mapHint:
-    "Each point is a start; its colour is where the run from it is when it ends. Nothing is proved about what happens later. Click to open a run.",
+    "Each point is a start; its colour is where the run from it is when it ends. Nothing is proved about what happens later.",
+  mapNearest:
+    "Each point is a start; its colour is what the run from it is nearest to when it ends. Nothing is proved about what happens later.",
+  mapClick: "Click to open a run.",
+  mapMove: "Click to open a run; drag a square, or press the arrows on it, to move it.",
+  nearest: "nearest of",
+  detail: "points",
+  patterns: "Patterns",
   link: {
     broken: "This link is damaged and holds no scenario; what you had is still here.",
     huge: "This link is larger than any scenario; what you had is still here.",

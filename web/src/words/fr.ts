@@ -85,8 +85,17 @@ export const fr: Words = {
   invariants: "Dérive des invariants",
   map: "Carte des départs",
   colour: "couleur",
+  exercises: "Exercices",
   mapHint:
-    "Chaque point est un départ ; sa couleur dit où en est le mouvement à la fin du calcul. Rien n'est prouvé sur la suite. Cliquez pour ouvrir un calcul.",
+    "Chaque point est un départ ; sa couleur dit où en est le mouvement à la fin du calcul. Rien n'est prouvé sur la suite.",
+  mapNearest:
+    "Chaque point est un départ ; sa couleur dit de quoi le mouvement est le plus proche à la fin du calcul. Rien n'est prouvé sur la suite.",
+  mapClick: "Cliquez pour ouvrir un calcul.",
+  mapMove:
+    "Cliquez pour ouvrir un calcul ; glissez un carré, ou pressez les flèches dessus, pour le déplacer.",
+  nearest: "le plus proche parmi",
+  detail: "points",
+  patterns: "Motifs",
   link: {
     broken: "Ce lien est abîmé et ne contient aucun scénario ; votre travail est toujours là.",
     huge: "Ce lien est plus grand que tout scénario ; votre travail est toujours là.",

@@ -1,6 +1,8 @@
 //! Small systems of the tests' own, and a walk of equal steps over any number.
 #![allow(dead_code, reason = "each test uses its own share")]
 
+pub mod run;
+
 use precess_integrate::{
     AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
 };

@@ -67,7 +67,7 @@ pub(super) fn of_scenario(
     }
     let (mut state, mut numbers) = (plan.start.clone(), vec![]);
     for (k, &x) in values.iter().enumerate() {
-        let own = sweep::at(scenario, &parameter.name, x)?;
+        let own = sweep::at(scenario, &[(parameter.name.clone(), x)])?;
         let subject = Subject::new(&own)?;
         let share = k as f64 / values.len() as f64;
         let mut watch = |_: f64| progress(share);

@@ -8,9 +8,9 @@ use crate::figure::{Curve, Figure, Map, Panel};
 use crate::picture::{axis, subtitle};
 use crate::plan::Plan;
 use crate::scenario::Scenario;
-use crate::value::Value;
 use precess_analysis::{Multipliers, multipliers};
 use precess_scalar::Scalar;
+use std::ops::Range;
 
 /// Which multipliers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -27,29 +27,93 @@ const GROWS: f64 = 1e-6;
 /// # Errors
 /// Where the scenario or a sweep makes no sense, or there is no drive.
 pub fn floquet(scenario: &Scenario, spec: &FloquetSpec, progress: Progress) -> Result<Answer, Error> {
+    if !spec.sweeps.is_empty() {
+        let moduli = floquet_part(scenario, spec, 0..floquet_points(spec)?, progress)?;
+        return floquet_whole(scenario, spec, &moduli);
+    }
     let plan = Plan::new(scenario)?;
     smooth(&plan, "Floquet multipliers")?;
-    let sweeps = spec.sweeps.iter().map(|text| Sweep::parse(text)).collect::<Result<Vec<_>, _>>()?;
-    let answer = match &sweeps[..] {
-        [] => alone(&plan, progress)?,
-        [one] => along(scenario, &plan, one, progress)?,
-        [x, y] => tongues(scenario, &plan, [x, y], progress)?,
-        _ => return input("at most two parameters are swept at once"),
+    alone(&plan, progress)
+}
+
+/// At how many values of the parameters a sweep asks.
+///
+/// # Errors
+/// Where a sweep makes no sense.
+pub fn floquet_points(spec: &FloquetSpec) -> Result<usize, Error> {
+    Ok(sweeps(spec)?.iter().map(|sweep| sweep.points).product())
+}
+
+fn sweeps(spec: &FloquetSpec) -> Result<Vec<Sweep>, Error> {
+    if spec.sweeps.len() > 2 {
+        return input("at most two parameters are swept at once");
+    }
+    spec.sweeps.iter().map(|text| Sweep::parse(text)).collect()
+}
+
+/// The largest modulus at some points of a sweep, the first parameter running fastest: each is found alone, so a sweep may
+/// be cut anywhere.
+///
+/// # Errors
+/// As [`floquet`].
+pub fn floquet_part(
+    scenario: &Scenario,
+    spec: &FloquetSpec,
+    points: Range<usize>,
+    progress: Progress,
+) -> Result<Vec<f64>, Error> {
+    let plan = Plan::new(scenario)?;
+    smooth(&plan, "Floquet multipliers")?;
+    let sweeps = sweeps(spec)?;
+    let values = sweeps.iter().map(|sweep| sweep.numbers(&plan)).collect::<Result<Vec<_>, _>>()?;
+    let (first, count) = (points.start, points.len());
+    let modulus = |point: usize| {
+        let mut rest = point;
+        let place = |(sweep, values): (&Sweep, &Vec<f64>)| {
+            let value = values[rest % values.len()];
+            rest /= values.len();
+            (sweep.name.clone(), value)
+        };
+        let at: Vec<_> = sweeps.iter().zip(&values).map(place).collect();
+        let share = (point - first) as f64 / count as f64;
+        Ok(of_plan(&sweep::at(scenario, &at)?, share, progress)?.0.largest())
     };
+    points.map(modulus).collect()
+}
+
+/// The answer from the moduli at all points.
+///
+/// # Errors
+/// As [`floquet`], and where they are not as many as there are points.
+pub fn floquet_whole(scenario: &Scenario, spec: &FloquetSpec, moduli: &[f64]) -> Result<Answer, Error> {
+    let plan = Plan::new(scenario)?;
+    let points = floquet_points(spec)?;
+    if moduli.len() != points {
+        return input(format!("{points} points have one modulus each, not {}", moduli.len()));
+    }
+    let answer = match &sweeps(spec)?[..] {
+        [one] => along(&plan, one, moduli)?,
+        [x, y] => tongues(&plan, [x, y], moduli)?,
+        _ => return input("one parameter or two are swept here"),
+    };
+    Ok(titled(&plan, answer))
+}
+
+fn titled(plan: &Plan, answer: Answer) -> Answer {
     let figure = Figure {
         title: format!("{}: Floquet multipliers", plan.title),
-        subtitle: subtitle(&plan),
-        scenario: scenario_toml(&plan),
+        subtitle: subtitle(plan),
+        scenario: scenario_toml(plan),
         ..answer.figure
     };
-    Ok(Answer { figure, ..answer })
+    Answer { figure, ..answer }
 }
 
 /// The multipliers of the periodic motion near the start.
-fn of_plan(plan: &Plan, progress: Progress) -> Result<(Multipliers, f64), Error> {
+fn of_plan(plan: &Plan, share: f64, progress: Progress) -> Result<(Multipliers, f64), Error> {
     let period = period(plan, "a Floquet multiplier")?;
     let subject = Subject::new(plan)?;
-    let mut watch = |_: f64| progress(0.5);
+    let mut watch = |_: f64| progress(share);
     let flow = subject.flow(&mut watch);
     match multipliers(&flow, &plan.start, period, true) {
         Ok(found) => Ok((found, period)),
@@ -58,7 +122,7 @@ fn of_plan(plan: &Plan, progress: Progress) -> Result<(Multipliers, f64), Error>
 }
 
 fn alone(plan: &Plan, progress: Progress) -> Result<Answer, Error> {
-    let (found, period) = of_plan(plan, progress)?;
+    let (found, period) = of_plan(plan, 0.5, progress)?;
     let row = |(k, v): (usize, &precess_analysis::Complex)| [(k + 1) as f64, v.re, v.im, v.modulus()];
     let numbers: Vec<f64> = found.values.iter().enumerate().flat_map(row).collect();
     let state = plan.layout.state();
@@ -92,19 +156,13 @@ fn alone(plan: &Plan, progress: Progress) -> Result<Answer, Error> {
     };
     let columns = [("index", ""), ("re", ""), ("im", ""), ("modulus", "")];
     let figure = Figure { panels: vec![panel], ..Figure::default() };
-    Ok(Answer { table: table(&columns, numbers), figure, summary, failure: None })
+    Ok(titled(plan, Answer { table: table(&columns, numbers), figure, summary, failure: None }))
 }
 
 /// The largest modulus along a parameter.
-fn along(scenario: &Scenario, plan: &Plan, one: &Sweep, progress: Progress) -> Result<Answer, Error> {
+fn along(plan: &Plan, one: &Sweep, moduli: &[f64]) -> Result<Answer, Error> {
     let quantity = one.quantity(plan)?;
-    let (mut x, mut y) = (vec![], vec![]);
-    for (k, value) in one.numbers(plan)?.into_iter().enumerate() {
-        let _ = progress(k as f64 / one.points as f64);
-        let own = sweep::at(scenario, &one.name, value)?;
-        x.push(value);
-        y.push(of_plan(&own, progress)?.0.largest());
-    }
+    let (x, y) = (one.numbers(plan)?, moduli.to_vec());
     let grows = y.iter().filter(|m| **m > 1.0 + GROWS).count();
     let summary = vec![format!("unstable at {grows} of {} values", y.len())];
     let numbers = x.iter().zip(&y).flat_map(|(a, b)| [*a, *b]).collect();
@@ -120,47 +178,34 @@ fn along(scenario: &Scenario, plan: &Plan, one: &Sweep, progress: Progress) -> R
 }
 
 /// Stable and unstable over two parameters.
-fn tongues(
-    scenario: &Scenario,
-    plan: &Plan,
-    sweeps: [&Sweep; 2],
-    progress: Progress,
-) -> Result<Answer, Error> {
-    let (panel, numbers) = map(scenario, plan, sweeps, progress)?;
+fn tongues(plan: &Plan, sweeps: [&Sweep; 2], moduli: &[f64]) -> Result<Answer, Error> {
     let [x, y] = [sweeps[0].quantity(plan)?, sweeps[1].quantity(plan)?];
-    let grows = numbers.chunks(3).filter(|row| row[2] > 1.0 + GROWS).count();
-    let summary = vec![format!("unstable at {grows} of {} points", numbers.len() / 3)];
+    let [xs, ys] = [sweeps[0].numbers(plan)?, sweeps[1].numbers(plan)?];
+    let point = |(k, modulus): (usize, &f64)| [xs[k % xs.len()], ys[k / xs.len()], *modulus];
+    let numbers = moduli.iter().enumerate().flat_map(point).collect();
+    let grows = moduli.iter().filter(|m| **m > 1.0 + GROWS).count();
+    let summary = vec![format!("unstable at {grows} of {} points", moduli.len())];
     let columns = [(x.name.as_str(), x.unit.as_str()), (y.name.as_str(), y.unit.as_str()), ("modulus", "")];
-    let figure = Figure { panels: vec![panel], ..Figure::default() };
+    let figure = Figure { panels: vec![mapped(plan, sweeps, moduli)?], ..Figure::default() };
     Ok(Answer { table: table(&columns, numbers), figure, summary, failure: None })
 }
 
-/// The map, and the largest modulus at each point, the first parameter running fastest.
-pub(super) fn map(
-    scenario: &Scenario,
-    plan: &Plan,
-    [x, y]: [&Sweep; 2],
-    progress: Progress,
-) -> Result<(Panel, Vec<f64>), Error> {
+/// The map over two sweeps.
+pub(super) fn map(scenario: &Scenario, spec: &FloquetSpec, progress: Progress) -> Result<Panel, Error> {
+    let [x, y] = &sweeps(spec)?[..] else { return input("a map goes over two parameters") };
+    let moduli = floquet_part(scenario, spec, 0..floquet_points(spec)?, progress)?;
+    mapped(&Plan::new(scenario)?, [x, y], &moduli)
+}
+
+fn mapped(plan: &Plan, [x, y]: [&Sweep; 2], moduli: &[f64]) -> Result<Panel, Error> {
     let (xs, ys) = (x.numbers(plan)?, y.numbers(plan)?);
-    let (mut classes, mut numbers) = (vec![], vec![]);
-    for (k, &above) in ys.iter().enumerate() {
-        let mut row = scenario.clone();
-        Scenario::set(&mut row.parameters, &y.name, Value::number(above));
-        for &across in &xs {
-            let _ = progress(k as f64 / ys.len() as f64);
-            let largest = of_plan(&sweep::at(&row, &x.name, across)?, progress)?.0.largest();
-            classes.push(i32::from(largest > 1.0 + GROWS) - 1);
-            numbers.extend([across, above, largest]);
-        }
-    }
+    let classes = moduli.iter().map(|m| i32::from(*m > 1.0 + GROWS) - 1).collect();
     let end = |values: &[f64]| (values[0], values[values.len() - 1]);
     let map = Map { x: end(&xs), y: end(&ys), columns: xs.len(), classes, names: vec!["unstable".into()] };
-    let panel = Panel {
+    Ok(Panel {
         x_label: axis(&x.quantity(plan)?),
         y_label: axis(&y.quantity(plan)?),
         map: Some(map),
         ..Panel::default()
-    };
-    Ok((panel, numbers))
+    })
 }

@@ -17,7 +17,7 @@ mod trust;
 
 pub use bifurcation::{BifurcationSpec, bifurcation};
 pub use fit::{Data, Fit, Fitted, fit};
-pub use floquet::{FloquetSpec, floquet};
+pub use floquet::{FloquetSpec, floquet, floquet_part, floquet_points, floquet_whole};
 pub(crate) use frenet::osculating;
 pub use frenet::{FrenetSpec, frenet};
 pub use lyapunov::lyapunov;

@@ -1,9 +1,10 @@
 //! Panels of a run's picture that are answers to questions.
 
 use super::bifurcation::{self, BifurcationSpec};
+use super::floquet::{self, FloquetSpec};
 use super::poincare::{self, PoincareSpec};
 use super::response::{self, ResponseSpec};
-use super::{Sweep, Window, floquet, portrait};
+use super::{Window, portrait};
 use crate::basins::{BasinsSpec, basins};
 use crate::canonical::scenario_toml;
 use crate::error::{Error, input};
@@ -43,11 +44,10 @@ pub(crate) fn panel(
             found.figure().panels.into_iter().next().unwrap_or_default()
         }
         FigureKind::Tongues => {
-            let [x, y] = &spec.grid[..] else {
+            if spec.grid.len() != 2 {
                 return input("tongues need grid = [\"NAME=LOW:HIGH:N\", \"NAME=LOW:HIGH:N\"]");
-            };
-            let (x, y) = (Sweep::parse(x)?, Sweep::parse(y)?);
-            floquet::map(&alone(plan)?, plan, [&x, &y], progress)?.0
+            }
+            floquet::map(&alone(plan)?, &FloquetSpec { sweeps: spec.grid.clone() }, progress)?
         }
         other => return input(format!("a panel of kind '{}' is no analysis", other.name())),
     };

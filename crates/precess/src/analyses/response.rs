@@ -86,7 +86,7 @@ pub(super) fn found(
     let mut state = plan.start.clone();
     let mut found = vec![];
     for (k, &x) in values.iter().enumerate() {
-        let own = sweep::at(scenario, &parameter.name, x)?;
+        let own = sweep::at(scenario, &[(parameter.name.clone(), x)])?;
         let period = period(&own, "a response")?;
         let subject = Subject::new(&own)?;
         let share = k as f64 / values.len() as f64;

@@ -69,10 +69,12 @@ impl Sweep {
     }
 }
 
-/// The plan with another value of a parameter. Panels and families stay behind.
-pub(crate) fn at(scenario: &Scenario, name: &str, x: f64) -> Result<Plan, Error> {
+/// The plan with other values of parameters. Panels and families stay behind.
+pub(crate) fn at(scenario: &Scenario, values: &[(String, f64)]) -> Result<Plan, Error> {
     let mut own = Scenario { families: vec![], figures: vec![], ..scenario.clone() };
-    Scenario::set(&mut own.parameters, name, Value::number(x));
+    for (name, x) in values {
+        Scenario::set(&mut own.parameters, name, Value::number(*x));
+    }
     Plan::new(&own)
 }
 

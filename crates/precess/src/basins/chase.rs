@@ -85,7 +85,8 @@ where
 
     fn chunk(&self, members: Range<usize>) -> Vec<Fate> {
         let first = members.start;
-        let (fates, gate, rest) = (vec![None; members.len()], Gate::new(self.judge), vec![[0, 1]; S::LANES]);
+        let (fates, gate, rest) =
+            (vec![None; members.len()], Gate::new(self.judge), vec![[0, 1]; members.len()]);
         let mut pursuit = Pursuit { chase: self, members: members.clone(), first, fates, gate, rest };
         let (method, options, samples) = (self.plan.method, self.plan.options.clone(), self.samples);
         Block { field: &*self.field, method, options, samples, pace: &self.pace }.feed(&mut pursuit);
@@ -118,8 +119,9 @@ struct Pursuit<'c, 'a, S> {
     first: usize,
     fates: Vec<Option<Fate>>,
     gate: Gate<S>,
-    /// For each lane, the looks that are still left out, and how many the next fruitless one will cost: a motion that
-    /// the gate lets through again and again is looked at more and more rarely.
+    /// For each member, the looks that are still left out, and how many the next fruitless one will cost: a motion that
+    /// the gate lets through again and again is looked at more and more rarely. Not for each lane: when a member is
+    /// decided must not depend on who had the lane before it.
     rest: Vec<[u32; 2]>,
 }
 
@@ -157,8 +159,9 @@ where
         let mut over = 0;
         for lane in (0..S::LANES).filter(|lane| lanes >> lane & 1 == 1) {
             let Some(member) = stepped.members[lane] else { continue };
-            if self.rest[lane][0] > 0 {
-                self.rest[lane][0] -= 1;
+            let place = member - self.first;
+            if self.rest[place][0] > 0 {
+                self.rest[place][0] -= 1;
                 continue;
             }
             let y: Vec<f64> = stepped.y.iter().map(|y| y.lanes()[lane]).collect();
@@ -169,12 +172,11 @@ where
                 judge.look(&y)
             };
             if let Some(verdict) = verdict {
-                self.fates[member - self.first] = Some(Fate::Judged(verdict, stepped.t.lanes()[lane]));
+                self.fates[place] = Some(Fate::Judged(verdict, stepped.t.lanes()[lane]));
                 over |= 1 << lane;
-                self.rest[lane] = [0, 1];
             } else {
-                let longer = self.rest[lane][1];
-                self.rest[lane] = [longer, if 2 * longer < MOST_REST { 2 * longer } else { MOST_REST }];
+                let longer = self.rest[place][1];
+                self.rest[place] = [longer, if 2 * longer < MOST_REST { 2 * longer } else { MOST_REST }];
             }
         }
         over

@@ -10,6 +10,7 @@ mod gate;
 mod ground;
 mod judge;
 mod matrix;
+mod parts;
 mod report;
 mod statistics;
 mod traps;
@@ -29,6 +30,7 @@ use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
 pub use judge::Kind;
+pub use parts::{part, whole};
 pub use statistics::{Estimate, entropy, fraction, uncertainty};
 
 /// Neither settled nor gone at the end.
@@ -99,6 +101,27 @@ pub fn basins(
     workers: Workers,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
+    court(scenario, spec, workers, progress, |judge, starts, mut interrupted, progress| {
+        let members = starts.len() / judge.ground.plan.start.len();
+        let mut share = |done: usize| progress(done as f64 / members as f64);
+        let fates = if interrupted {
+            vec![Fate::Interrupted; members]
+        } else {
+            chase(&judge, starts, workers, &mut share)
+        };
+        interrupted |= fates.contains(&Fate::Interrupted);
+        Ok(concluded(judge, fates, spec, interrupted))
+    })
+}
+
+/// Asks a judge, who depends on scenario and grid alone: with all starts, and whether the scouts were interrupted.
+fn court<T>(
+    scenario: &Scenario,
+    spec: &BasinsSpec,
+    workers: Workers,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ask: impl FnOnce(Judge, &[f64], bool, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<T, Error>,
+) -> Result<T, Error> {
     let mut plan = patient(scenario)?;
     if spec.axes.is_empty() {
         return input("basins need a grid of starts, such as --grid x=-2:2:200 --grid y=-2:2:200");
@@ -119,31 +142,27 @@ pub fn basins(
         None => {}
     }
     let mut judge = Judge::new(Ground { plan: &plan, ..ground })?;
-    let members = starts.len() / plan.start.len();
     let mut interrupted = false;
     if judge.wells.is_empty() {
         let scouts = scouts(&starts, plan.start.len());
         let ends = chase(&judge, &scouts, workers, &mut |_| progress(0.0));
-        interrupted |= ends.contains(&Fate::Interrupted);
+        interrupted = ends.contains(&Fate::Interrupted);
         settle(&mut judge, ends);
     }
-    let mut share = |done: usize| progress(done as f64 / members as f64);
-    let fates = if interrupted {
-        vec![Fate::Interrupted; members]
-    } else {
-        chase(&judge, &starts, workers, &mut share)
-    };
-    interrupted |= fates.contains(&Fate::Interrupted);
+    ask(judge, &starts, interrupted, progress)
+}
+
+/// The basins from the fates of all starts.
+fn concluded(mut judge: Judge, fates: Vec<Fate>, spec: &BasinsSpec, interrupted: bool) -> Basins {
     let fates = settle(&mut judge, fates);
     let proof = if judge.wells.is_empty() {
         "inside a neighbourhood that nothing leaves"
     } else {
         "the energy has sunk below the pass"
     };
-    let told = tell(&judge, &fates, spec.wrap, plan.until);
-    drop(judge);
-    let Told { labels, times, attractors } = told;
-    Ok(Basins { plan, axes: spec.axes.clone(), labels, times, attractors, proof, interrupted })
+    let plan = judge.ground.plan.clone();
+    let Told { labels, times, attractors } = tell(&judge, &fates, spec.wrap, plan.until);
+    Basins { plan, axes: spec.axes.clone(), labels, times, attractors, proof, interrupted }
 }
 
 /// The plan, with time to settle and a tolerance that chaos does not spoil.

@@ -82,6 +82,14 @@ export class Pen {
     pen.fill();
   }
 
+  /** A point, whose radius is in pixels. */
+  dot(x: number, y: number, radius: number, colour = this.ink.ink): void {
+    this.#pen.beginPath();
+    this.#pen.arc(this.x(x), this.y(y), radius * this.ink.weight, 0, 2 * Math.PI);
+    this.#pen.fillStyle = colour;
+    this.#pen.fill();
+  }
+
   circle(x: number, y: number, radius: number, colour = this.ink.faint, width = 1): void {
     const pen = this.#pen;
     pen.beginPath();

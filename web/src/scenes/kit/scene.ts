@@ -1,5 +1,6 @@
 // What a scene is: a small file beside this folder, named after its system, that maps a run's columns to shapes.
 
+import type { Text } from "../../core";
 import type { Ink } from "../../draw/ink";
 import type { Look } from "../../lab/result";
 import type { Pen, Point } from "./pen";
@@ -30,10 +31,16 @@ export interface Solid {
   pose: (look: Look, sample: number) => { place: Place; turn: Turn };
   /** A path that is drawn as far as it has been run through. */
   trace: (look: Look, sample: number) => Place;
+  /** Further paths, in space or on the body and going with it. */
+  paths?: Path[];
   /** Radius of a thin sphere about the origin on which the trace lies; none where zero. */
   sphere?: (look: Look) => number;
   /** Height of the table; none where absent. */
   table?: (look: Look) => number | undefined;
+  /** What rests while the body moves. */
+  still?: (look: Look) => Piece[];
+  /** How space is turned in the picture, where it is. */
+  frame?: (look: Look) => Turn;
   /** The camera goes with the body, and the table with the camera. */
   follow?: boolean;
   /** Where the camera looks. */
@@ -42,16 +49,34 @@ export interface Solid {
   from?: { round: number; up: number };
 }
 
+export interface Path {
+  on: "space" | "body";
+  at: (look: Look, sample: number) => Place;
+  /** On what is of glass, ink. */
+  colour?: "ink";
+}
+
+/** One sees through what is of glass, and it throws no shadow. */
+export type Colour = "ink" | "accent" | "brass" | "glass";
+
 /** A part of a body, in body axes, z along axis 3. */
 export type Piece =
-  | { shape: "turned"; profile: [radius: number, z: number][]; colour: "ink" | "accent" | "brass" }
-  | { shape: "box"; size: Place; at?: Place; colour: "ink" | "accent" | "brass" }
-  | { shape: "rod"; from: Place; to: Place; radius: number; colour: "ink" | "accent" | "brass" }
+  | { shape: "turned"; profile: [radius: number, z: number][]; colour: Colour }
+  | { shape: "box"; size: Place; at?: Place; colour: Colour }
+  | { shape: "rod"; from: Place; to: Place; radius: number; colour: Colour }
   /** The surface of a convex body: the point whose outward normal is given. */
-  | { shape: "convex"; surface: (normal: Place) => Place; colour: "ink" | "accent" | "brass" }
-  | { shape: "stripe"; profile: [radius: number, z: number][] };
+  | { shape: "convex"; surface: (normal: Place) => Place; colour: Colour }
+  | { shape: "stripe"; profile: [radius: number, z: number][] }
+  /** The cone from the origin through a line. */
+  | { shape: "fan"; points: Place[]; colour: Colour };
 
 export type Scene = Flat | Solid;
+
+/** A file beside this folder: the system's scene, and others of its kind that show it in another way. */
+export interface SceneFile {
+  default: Scene;
+  others?: { title: Text; scene: Scene }[];
+}
 export type { Ink };
 
 /** A ball of some radius, as a profile. */

@@ -32,10 +32,13 @@ import {
 } from "three";
 import type { Ink } from "../../draw/ink";
 import type { Look } from "../../lab/result";
-import type { Piece, Place, Solid } from "./scene";
+import { Crosses } from "./crosses";
+import type { Colour, Path, Piece, Place, Solid } from "./scene";
 
 /** The table's radius, in sizes: it fits into the picture. */
 const TABLE = 1.2;
+/** What is drawn on a body has to be seen on its ink and on its brass. */
+const GOLD = "#f4cf6a";
 
 export class Studio {
   readonly #renderer: WebGLRenderer;
@@ -45,7 +48,8 @@ export class Studio {
   /** Light and table. */
   #ground = new Group();
   #stripes: Mesh[] = [];
-  #line = new Line();
+  #lines: Line[] = [];
+  #crosses: Crosses | undefined;
   #look: Look | undefined;
   #solid: Solid | undefined;
   #size = 1;
@@ -86,12 +90,17 @@ export class Studio {
     scene.add(this.#ground);
     const table = solid.table?.(look);
     if (table !== undefined) this.#table(this.#ground, table / this.#size, ink);
-    if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, ink);
+    if (solid.sphere) this.#sphere(scene, solid.sphere(look) / this.#size, table, ink);
     this.#body = new Group();
     for (const piece of solid.body(look)) this.#body.add(...this.#piece(piece, ink));
     scene.add(this.#body);
-    this.#trace(scene, ink);
+    for (const piece of solid.still?.(look) ?? []) scene.add(...this.#piece(piece, ink));
     this.#scene = scene;
+    const paths: Path[] = [{ on: "space", at: solid.trace }, ...(solid.paths ?? [])];
+    this.#lines = paths.map((path) => {
+      const plain = path.on === "body" ? GOLD : ink.accent;
+      return this.#path(path, look, path.colour ? ink.ink : plain);
+    });
   }
 
   #scaled([x, y, z]: Place): Place {
@@ -115,9 +124,11 @@ export class Studio {
     // Rings would seem to rest where the table goes along.
     const rings = (this.#solid?.follow ? [1] : [0.25, 0.5, 0.75, 1]).map((share) => share * TABLE);
     for (const radius of rings) ground.add(ring(radius, [x, y, z], ink));
+    this.#crosses = this.#solid?.follow ? new Crosses(TABLE, z, ink.faint) : undefined;
+    if (this.#crosses) ground.add(this.#crosses.object);
   }
 
-  #sphere(scene: Scene, radius: number, ink: Ink): void {
+  #sphere(scene: Scene, radius: number, table: number | undefined, ink: Ink): void {
     const material = new MeshStandardMaterial({
       color: ink.faint,
       transparent: true,
@@ -125,8 +136,8 @@ export class Studio {
       side: DoubleSide,
       depthWrite: false,
     });
-    // Above a table only the upper half of it.
-    const half = this.#ground.children.length > 2;
+    // Of one that stands on a table only the upper half.
+    const half = table === 0;
     const dome = new SphereGeometry(radius, 48, 32, 0, 2 * Math.PI, 0, half ? Math.PI / 2 : Math.PI);
     scene.add(new Mesh(dome.rotateX(Math.PI / 2), material));
     for (const z of [0, 0.5, 0.866]) scene.add(ring(radius * Math.sqrt(1 - z * z), [0, 0, radius * z], ink));
@@ -156,6 +167,14 @@ export class Studio {
       return [rod];
     }
     if (piece.shape === "convex") return this.#convex(piece, ink);
+    if (piece.shape === "fan") {
+      const at = (k: number) => this.#scaled(piece.points[k] ?? [0, 0, 0]);
+      const triangles = piece.points.slice(1).flatMap((_, k) => [0, 0, 0, ...at(k), ...at(k + 1)]);
+      const fan = new BufferGeometry();
+      fan.setAttribute("position", new BufferAttribute(new Float32Array(triangles), 3));
+      fan.computeVertexNormals();
+      return [this.#solidOf(fan, piece.colour, ink)];
+    }
     const stripe = piece.shape === "stripe";
     const points = piece.profile.map(
       ([r, z]) => new Vector2((r / this.#size) * (stripe ? 1.006 : 1), z / this.#size),
@@ -167,14 +186,14 @@ export class Studio {
       const turned = new LatheGeometry(points, stripe ? 10 : 72, from, angle);
       turned.rotateX(Math.PI / 2);
       const mesh = this.#solidOf(turned, piece.shape === "stripe" ? "accent" : piece.colour, ink);
-      if (stripe) this.#stripes.push(mesh);
+      if (stripe) this.#mark(mesh);
       return mesh;
     });
   }
 
   /** A convex body, with every fourth sector marked so that its spin can be seen. */
   #convex({ surface, colour }: Extract<Piece, { shape: "convex" }>, ink: Ink): Object3D[] {
-    const part = (from: number, angle: number, paint: "ink" | "accent" | "brass", out: number) => {
+    const part = (from: number, angle: number, paint: Colour, out: number) => {
       const sphere = new SphereGeometry(1, 96, 64, from, angle);
       const points = sphere.getAttribute("position");
       for (let k = 0; k < points.count; k++) {
@@ -184,35 +203,47 @@ export class Studio {
       sphere.computeVertexNormals();
       return this.#solidOf(sphere, paint, ink);
     };
+    if (colour === "glass") return [part(0, 2 * Math.PI, colour, 1)];
     const marks = [0, 1].map((k) => part(k * Math.PI - 0.12, 0.24, "accent", 1.004));
-    this.#stripes.push(...marks);
+    marks.forEach((mark) => {
+      this.#mark(mark);
+    });
     return [part(0, 2 * Math.PI, colour, 1), ...marks];
   }
 
-  #solidOf(geometry: BufferGeometry, colour: "ink" | "accent" | "brass", ink: Ink): Mesh {
-    const paints = { ink: ink.dark ? "#6d83b5" : "#33456b", accent: ink.accent, brass: "#b08a3c" };
+  /** What blurs when it goes round fast; it is drawn after what lies under it. */
+  #mark(stripe: Mesh): void {
+    (stripe.material as MeshStandardMaterial).transparent = true;
+    this.#stripes.push(stripe);
+  }
+
+  #solidOf(geometry: BufferGeometry, colour: Colour, ink: Ink): Mesh {
+    const glass = colour === "glass";
+    const blue = ink.dark ? "#6d83b5" : "#33456b";
+    const paints = { ink: blue, accent: ink.accent, brass: "#b08a3c", glass: blue };
     const material = new MeshStandardMaterial({
       color: new Color(paints[colour]),
       roughness: colour === "brass" ? 0.35 : 0.6,
       metalness: colour === "brass" ? 0.6 : 0.05,
       side: DoubleSide,
-      transparent: true,
+      transparent: glass,
+      opacity: glass ? 0.2 : 1,
+      depthWrite: !glass,
     });
     const mesh = new Mesh(geometry, material);
-    mesh.castShadow = true;
+    mesh.castShadow = !glass;
     return mesh;
   }
 
-  #trace(scene: Scene, ink: Ink): void {
-    const [solid, look] = [this.#solid, this.#look];
-    if (!solid || !look) return;
+  #path({ on, at }: Path, look: Look, colour: string): Line {
     const points = new Float32Array(look.times.length * 3);
-    for (let k = 0; k < look.times.length; k++) points.set(this.#scaled(solid.trace(look, k)), 3 * k);
+    for (let k = 0; k < look.times.length; k++) points.set(this.#scaled(at(look, k)), 3 * k);
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(points, 3));
-    this.#line = new Line(geometry, new LineBasicMaterial({ color: ink.accent }));
-    this.#line.frustumCulled = false;
-    scene.add(this.#line);
+    const line = new Line(geometry, new LineBasicMaterial({ color: colour }));
+    line.frustumCulled = false;
+    (on === "body" ? this.#body : this.#scene).add(line);
+    return line;
   }
 
   /** Draws the moment of a sample; a body that has turned far since the last one shows its stripes blurred. */
@@ -225,12 +256,13 @@ export class Studio {
     if (solid.follow) {
       this.#centre = this.#scaled(place);
       this.#ground.position.set(this.#centre[0], this.#centre[1], 0);
+      this.#crosses?.show(this.#centre[0], this.#centre[1]);
     }
     const blur = Math.min(Math.max((spin - 0.6) / 1.4, 0), 1);
     for (const stripe of this.#stripes) (stripe.material as MeshStandardMaterial).opacity = 1 - 0.8 * blur;
     // Not all of a long path: the newest part of it.
     const from = Math.max(0, sample - 2400);
-    this.#line.geometry.setDrawRange(from, sample - from + 1);
+    for (const line of this.#lines) line.geometry.setDrawRange(from, sample - from + 1);
     const canvas = this.#renderer.domElement;
     const [w, h] = [canvas.clientWidth, canvas.clientHeight];
     if (w === 0 || h === 0) return;

@@ -1,7 +1,7 @@
 // A convex body on a table: its support function h(n) = point.n + radius |n| + |axes n| gives the surface that is drawn.
 
 import type { Look } from "../../lab/result";
-import { ballProfile, type Piece, type Place, type Solid, type Turn } from "./scene";
+import { turnOf, type Piece, type Place, type Solid, type Turn } from "./scene";
 
 export interface Support {
   point: Place;
@@ -19,6 +19,8 @@ export function supportOf(look: Look): Support {
       radius: p("radius"),
       axes: [p("axis1"), p("axis2"), p("axis3")],
     };
+  if (has("across", "along"))
+    return { point: [0, 0, p("point")], radius: 0, axes: [p("across"), p("across"), p("along")] };
   if (has("a", "b", "c")) return { point: [0, 0, p("h")], radius: 0, axes: [p("a"), p("b"), p("c")] };
   if (has("a", "b")) return { point: [0, 0, p("h")], radius: 0, axes: [p("b"), p("b"), p("a")] };
   if (has("tip")) return { point: [0, 0, -p("d")], radius: p("tip"), axes: [0, 0, 0] };
@@ -49,48 +51,46 @@ export function turned([x, y, z, w]: Turn, v: Place): Place {
   ];
 }
 
-const turn = (look: Look, k: number): Turn => [
-  look.at("qx", k),
-  look.at("qy", k),
-  look.at("qz", k),
-  look.at("qw", k),
-];
+/** How a body is turned: by a quaternion, or by T's angles. */
+export function attitude(look: Look, k: number): Turn {
+  return look.has("qw")
+    ? [look.at("qx", k), look.at("qy", k), look.at("qz", k), look.at("qw", k)]
+    : turnOf(look.at("psi", k), look.at("theta", k), look.at("phi", k));
+}
+
 /** How far the body reaches from its centre of mass. */
-function reach(look: Look): number {
+export function reach(look: Look): number {
   const support = supportOf(look);
   const most = Math.max(...support.axes) + support.radius + Math.hypot(...support.point);
   return most || 1;
 }
 
-export const onTable: Solid = {
-  kind: "solid",
-  size: (look) => 1.7 * reach(look),
-  body(look): Piece[] {
-    const support = supportOf(look);
-    const r = reach(look);
-    if (Number.isFinite(look.parameter("tip"))) {
-      // Of a top on a tip only the tip is given: a cone about its centre of mass.
-      const [d, tip] = [look.parameter("d"), support.radius];
-      const cone: [number, number][] = [...ballProfile(tip, -d).slice(0, 9), [0.5 * d, d / 3], [0, d / 3]];
-      return [
-        { shape: "turned", profile: cone, colour: "ink" },
-        { shape: "stripe", profile: cone.slice(0, -1) },
-      ];
-    }
-    const body: Piece = { shape: "convex", surface: surface(support), colour: "ink" };
-    // What is out of balance shows its axis.
-    if (support.point[2] === 0 || Math.max(...support.axes) > 0) return [body];
-    return [
-      body,
-      { shape: "rod", from: support.point, to: [0, 0, 1.45 * r], radius: 0.13 * r, colour: "brass" },
-    ];
-  },
-  pose: (look, k) => ({ place: [look.at("x", k), look.at("y", k), look.at("z", k)], turn: turn(look, k) }),
-  trace(look, k) {
-    const touch: Place = [look.at("contact1", k), look.at("contact2", k), look.at("contact3", k)];
-    const [dx, dy] = turned(turn(look, k), touch);
-    return [look.at("x", k) + dx, look.at("y", k) + dy, 0.01 * reach(look)];
-  },
-  table: () => 0,
-  follow: true,
-};
+/** Where the body touches the table, in body axes. */
+export function touch(look: Look, k: number): Place {
+  if (look.has("contact3")) return [look.at("contact1", k), look.at("contact2", k), look.at("contact3", k)];
+  const [x, y, z, w] = attitude(look, k);
+  return surface(supportOf(look))(turned([-x, -y, -z, w], [0, 0, -1]));
+}
+
+/** The body as its support function has it. */
+const plain = (look: Look): Piece[] => [
+  { shape: "convex", surface: surface(supportOf(look)), colour: "ink" },
+];
+
+/** The scene of a body that goes about on a table, with its contact point drawn on both. */
+export function onTable(body: (look: Look) => Piece[] = plain, room = 1.7): Solid {
+  return {
+    kind: "solid",
+    size: (look) => room * reach(look),
+    body,
+    pose: (look, k) => ({
+      place: (look.has("gx") ? ["gx", "gy", "gz"] : ["x", "y", "z"]).map((name) => look.at(name, k)) as Place,
+      turn: attitude(look, k),
+    }),
+    trace: (look, k) => [look.at("contact_x", k), look.at("contact_y", k), 0.01 * reach(look)],
+    // A little outside, so that it is seen.
+    paths: [{ on: "body", at: (look, k) => touch(look, k).map((x) => 1.008 * x) as Place }],
+    table: () => 0,
+    follow: true,
+  };
+}

@@ -2,22 +2,15 @@
 
 import type { Look } from "../../lab/result";
 import { recorder } from "./recorder";
-import { onTable } from "./table";
-import { ballProfile, turnOf, type Flat, type Place, type Scene, type Solid } from "./scene";
+import { attitude, onTable } from "./table";
+import { ballProfile, type Flat, type Place, type Scene, type Solid } from "./scene";
 
 export function usual(look: Look): Scene {
-  if (look.has("qw") && look.has("contact3")) return onTable;
+  if (look.has("qw") && look.has("contact3")) return onTable();
   if (look.has("qw") || (look.has("psi") && look.has("theta") && look.has("phi"))) return turning;
   if (look.has("x") && look.has("y") && look.has("z")) return path;
   if (look.has("x") && look.has("y")) return plane;
   return recorder(look.state[0] ?? "t");
-}
-
-/** How a body is turned: by a quaternion, or by T's angles. */
-export function attitude(look: Look, k: number): [number, number, number, number] {
-  return look.has("qw")
-    ? [look.at("qx", k), look.at("qy", k), look.at("qz", k), look.at("qw", k)]
-    : turnOf(look.at("psi", k), look.at("theta", k), look.at("phi", k));
 }
 
 /** The axis of a body, as its quaternion turns it. */

@@ -1,0 +1,3 @@
+import { onTable } from "./kit/table";
+
+export default onTable();
