@@ -1,6 +1,6 @@
 //! The analyses: one function a command, which asks and puts the answer where it is wanted.
 
-use crate::args::{Analysis, Fit, Floquet, Frenet, Poincare, Portrait, Response, Sensitivity};
+use crate::args::{Analysis, Fit, Floquet, Frenet, Poincare, Portrait, Response, Sensitivity, Trust};
 use crate::failure::Failure;
 use crate::measured;
 use crate::output::{Output, suffix};
@@ -15,6 +15,13 @@ use precess::{Error, Scenario};
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
+
+/// How far a run can be trusted.
+pub fn trust(arguments: &Trust) -> Result<(), Failure> {
+    let within =
+        precess::value::parse(&arguments.within).and_then(|v| v.in_unit("")).map_err(|e| e.at("--within"))?;
+    analyse(&arguments.analysis, &mut |scenario, progress| analyses::trust(scenario, within, progress))
+}
 
 /// The Lyapunov spectrum.
 pub fn lyapunov(arguments: &Analysis) -> Result<(), Failure> {

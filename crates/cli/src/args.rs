@@ -40,6 +40,8 @@ pub enum Verb {
     Run(Run),
     /// Runs several methods on the same start, side by side
     Compare(Compare),
+    /// Finds how far a run can be trusted: until it leaves its shadow, the same motion in double-double
+    Trust(Trust),
     /// Finds how fast neighbours of a motion move away from it, in every direction (Lyapunov exponents)
     Lyapunov(Analysis),
     /// Finds where a motion passes through a surface (Poincaré section)
@@ -200,6 +202,17 @@ pub struct Poincare {
     /// Quantity up the picture
     #[arg(long, value_name = "NAME")]
     pub y: Option<String>,
+}
+
+/// A horizon.
+#[derive(Args)]
+pub struct Trust {
+    /// What it is asked of.
+    #[command(flatten)]
+    pub analysis: Analysis,
+    /// The error that is borne, as a share of the size of each number of the state
+    #[arg(long, value_name = "SHARE", default_value = "1e-3", allow_hyphen_values = true)]
+    pub within: String,
 }
 
 /// An ensemble.

@@ -34,6 +34,7 @@ fn main() -> ExitCode {
         Verb::Body(arguments) => body::body(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Compare(arguments) => compare::compare(&arguments),
+        Verb::Trust(arguments) => analyse::trust(&arguments),
         Verb::Lyapunov(arguments) => analyse::lyapunov(&arguments),
         Verb::Poincare(arguments) => analyse::poincare(&arguments),
         Verb::Ensemble(arguments) => ensemble::ensemble(&arguments),

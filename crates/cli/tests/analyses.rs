@@ -39,8 +39,27 @@ fn a_spectrum_is_a_table_of_exponents_and_errors() {
 }
 
 #[test]
+fn a_horizon_is_told_and_drawn() {
+    let folder = Folder::new("trust");
+    let (csv, svg) = (folder.file("a.csv"), folder.file("a.svg"));
+    let run =
+        ["trust", "lorenz", "--method", "rk4", "--dt", "0.01", "--until", "25", "--every", "0.1", "-o", &csv];
+    let found = precess(&[&run[..], &["--plot", &svg]].concat());
+    assert!(found.status.success() && err(&found).contains("trusted up to t = "), "{}", err(&found));
+    let rows = rows(&std::fs::read_to_string(&csv).expect("a table"));
+    let last = rows.iter().rposition(|row| row[2] == 1.0).expect("trusted at first");
+    assert!(rows[last][1] <= 1e-3 && rows[last + 1][1] > 1e-3, "{:?}", &rows[last..last + 2]);
+    let picture = std::fs::read_to_string(&svg).expect("a picture");
+    assert!(picture.contains("not trusted") && picture.contains("shadow"));
+}
+
+#[test]
 fn a_wrong_question_is_answered_with_a_sentence() {
-    let cases: [(&[&str], &str); 18] = [
+    let cases: [(&[&str], &str); 22] = [
+        (&["trust", "noria"], "events"),
+        (&["trust", "pendulum", "--within", "0"], "above zero"),
+        (&["trust", "pendulum", "--within", "1 s"], "--within"),
+        (&["trust", "cluster"], "1000 numbers"),
         (&["portrait", "driven_oscillator"], "without a clock"),
         (&["portrait", "pendulum", "--window", "thet=-1:1"], "theta"),
         (&["portrait", "pendulum", "--window", "theta=1:-1"], "not below"),

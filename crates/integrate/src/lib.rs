@@ -20,6 +20,7 @@ mod methods;
 mod pacer;
 mod roster;
 mod samples;
+mod shadow;
 mod side_by_side;
 mod stretch;
 mod tableau;
@@ -37,3 +38,4 @@ pub use method::{
 pub use methods::{FIRST, METHODS};
 pub use roster::{Roster, Stepped};
 pub use samples::Samples;
+pub use shadow::Shadow;

@@ -2,7 +2,7 @@
 
 mod collocation;
 mod composition;
-mod dop853;
+pub(crate) mod dop853;
 mod dopri5;
 mod euler;
 mod euler_cromer;
@@ -19,7 +19,7 @@ mod lie_midpoint;
 mod newmark;
 mod radau5;
 mod rk4;
-mod taylor;
+pub(crate) mod taylor;
 mod tsit5;
 mod verlet;
 mod yoshida4;

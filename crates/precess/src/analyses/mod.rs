@@ -13,6 +13,7 @@ mod response;
 mod sensitivity;
 mod subject;
 mod sweep;
+mod trust;
 
 pub use bifurcation::{BifurcationSpec, bifurcation};
 pub use fit::{Data, Fit, Fitted, fit};
@@ -26,6 +27,7 @@ pub use portrait::{PortraitSpec, portrait};
 pub use response::{ResponseSpec, response};
 pub use sensitivity::{Sensitivities, sensitivities, sensitivity};
 pub use sweep::{Sweep, Window};
+pub use trust::trust;
 
 use crate::figure::Figure;
 use precess_system::{Column, ColumnKind, Trajectory};
