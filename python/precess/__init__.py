@@ -19,6 +19,7 @@ from ._analyses import (
     portrait,
     response,
     sensitivity,
+    trust,
 )
 from ._basins import Attractor, Basins, basins
 from ._catalogue import Method, Quantity, System, UnknownNameError, methods, scenarios, systems
@@ -73,4 +74,5 @@ __all__ = [
     "simulate",
     "systems",
     "to_sympy",
+    "trust",
 ]

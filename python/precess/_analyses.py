@@ -252,6 +252,24 @@ def frenet(
         return Answer(scenario, "path", _core.frenet(scenario._plan, x, y, told))  # noqa: SLF001
 
 
+@knows_its_keywords
+def trust(
+    system: str | Path | System | Scenario,
+    *,
+    within: float = 1e-3,
+    progress: Progress = None,
+    **settings: Unpack[Settings],
+) -> Answer:
+    """Tell how far a run can be trusted: its distance from a shadow with twice the digits, at every sample.
+
+    Columns `t`, `error` (a share of the state's size so far) and `trusted`: one up to the horizon, the last sample
+    before the error exceeds `within`, and zero beyond.
+    """
+    scenario = Scenario.of(system).replace(**settings)
+    with bar(progress, 1.0, "") as told:
+        return Answer(scenario, "trust", _core.trust(scenario._plan, number("within", within), told))  # noqa: SLF001
+
+
 def _text(value: float | str) -> str:
     return value if isinstance(value, str) else repr(number("a range", value))
 

@@ -108,6 +108,19 @@ def test_the_lorenz_spectrum_sums_to_the_divergence() -> None:
         found["exponents"]
 
 
+def test_a_run_is_trusted_up_to_its_horizon() -> None:
+    chaos = precess.trust("lorenz", until=60, every=0.5, rtol=1e-9, atol=1e-9)
+    trusted = chaos["trusted"].astype(bool)
+    horizon = trusted.argmin()
+    assert 0 < horizon < len(chaos)
+    assert not trusted[horizon:].any()
+    assert (chaos["error"][:horizon] <= 1e-3).all()
+    assert chaos["error"][horizon] > 1e-3
+    assert precess.trust("pendulum", until=10, every=1)["trusted"].all()
+    with pytest.raises(precess.InputError, match="above zero"):
+        precess.trust("pendulum", within=-1)
+
+
 def test_a_section_is_where_it_says() -> None:
     found = precess.poincare("pendulum", "theta = 0", direction="rising", until=20, start={"theta": 0.5})
     assert len(found) > 5

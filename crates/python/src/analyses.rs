@@ -62,6 +62,14 @@ pub fn lyapunov(py: Python, plan: &Plan, progress: Option<Py<PyAny>>) -> PyResul
     Answer::of(py, answer)
 }
 
+/// How far a run can be trusted.
+#[pyfunction]
+#[pyo3(signature = (plan, within, progress=None))]
+pub fn trust(py: Python, plan: &Plan, within: f64, progress: Option<Py<PyAny>>) -> PyResult<Answer> {
+    let answer = asked(py, progress, |told| analyses::trust(&plan.scenario, within, told))?;
+    Answer::of(py, answer)
+}
+
 /// A Poincaré section.
 #[pyfunction]
 #[pyo3(signature = (plan, section, direction=None, x=None, y=None, progress=None))]

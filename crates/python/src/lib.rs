@@ -23,7 +23,7 @@ mod _core {
     #[pymodule_export]
     use crate::analyses::{
         Answer, Fit, bifurcation, fit, floquet, floquet_part, floquet_points, floquet_whole, frenet,
-        lyapunov, picture, poincare, portrait, response, sensitivities,
+        lyapunov, picture, poincare, portrait, response, sensitivities, trust,
     };
     #[pymodule_export]
     use crate::basins::{Basins, basins, basins_part, basins_whole};
