@@ -59,7 +59,7 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         (&["trust", "noria"], "events"),
         (&["trust", "pendulum", "--within", "0"], "above zero"),
         (&["trust", "pendulum", "--within", "1 s"], "--within"),
-        (&["trust", "cluster"], "1000 numbers"),
+        (&["trust", "cluster", "-p", "rings=[[300; 300; 5; 2.4]]"], "1000 numbers"),
         (&["portrait", "driven_oscillator"], "without a clock"),
         (&["portrait", "pendulum", "--window", "thet=-1:1"], "theta"),
         (&["portrait", "pendulum", "--window", "theta=1:-1"], "not below"),
