@@ -15,7 +15,7 @@ from ._names import extra, knows_its_keywords
 from ._progress import bar
 from ._scenario import Scenario
 from ._sweep import Members
-from ._tiles import in_tiles
+from ._tiles import done
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -187,6 +187,6 @@ def basins(
             found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
         else:
             share = None if told is None else lambda members: told(members / grid.size)
-            rows = in_tiles(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
+            rows = done(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
             found = _core.basins_whole(scenario._plan, axes, wrap, rows, threads)  # noqa: SLF001
     return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)

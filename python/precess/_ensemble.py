@@ -11,8 +11,8 @@ from ._catalogue import UnknownNameError
 from ._given import count
 from ._names import extra, knows_its_keywords, nearest
 from ._progress import bar
-from ._scenario import Scenario, table
-from ._sweep import Sweep, axes, same_lengths
+from ._scenario import Scenario
+from ._sweep import sweep_over
 from ._tiles import TILE, done
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ._core import Floats
     from ._progress import Progress
     from ._scenario import Values
-    from ._sweep import Members
+    from ._sweep import Members, Sweep
     from ._tiles import Submits
 
 KEEPS = ["last", "samples"]
@@ -191,11 +191,10 @@ def ensemble(
         atol=atol,
         options=options,
     )
-    found = axes(scenario, table("over", over))
+    members = sweep_over(scenario, over, product=product, samples=keep == "samples")
     if threads is not None:
         count("threads", threads)
-    if not product:
-        same_lengths(found)
-    sweep = Sweep(scenario, found, product, keep == "samples")
-    with bar(progress, sweep.size, "runs") as told:
-        return Ensemble(sweep, done(sweep, client=client, tile=tile, store=store, threads=threads, told=told))
+    with bar(progress, members.size, "runs") as told:
+        return Ensemble(
+            members, done(members, client=client, tile=tile, store=store, threads=threads, told=told)
+        )

@@ -11,8 +11,8 @@ from . import _core
 from ._given import count as at_least_one
 from ._names import extra, knows_its_keywords
 from ._progress import bar
-from ._scenario import Scenario, table
-from ._sweep import Members, Sweep, axes, same_lengths, side_by_side
+from ._scenario import Scenario
+from ._sweep import Members, Sweep, side_by_side, sweep_over
 from ._tiles import done
 
 if TYPE_CHECKING:
@@ -187,12 +187,9 @@ def lyapunov_sweep(
 
     """
     scenario = Scenario.of(system).replace(**settings)
-    found = axes(scenario, table("over", over))
+    work = Spectra(sweep_over(scenario, over, product=product, samples=False))
     if threads is not None:
         at_least_one("threads", threads)
-    if not product:
-        same_lengths(found)
-    work = Spectra(Sweep(scenario, found, product, samples=False))
     with bar(progress, work.size, "spectra") as told:
         members = done(work, client=client, tile=tile, store=store, threads=threads, told=told)
     return Exponents(work.sweep, members)

@@ -11,6 +11,7 @@ import numpy as np
 from . import _core
 from ._given import array, text
 from ._names import nearest
+from ._scenario import table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -142,7 +143,15 @@ def side_by_side(
         pool.shutdown(cancel_futures=True)
 
 
-def axes(scenario: Scenario, over: dict[str, Any]) -> dict[str, Floats]:
+def sweep_over(scenario: Scenario, over: Any, *, product: bool, samples: bool) -> Sweep:
+    """Give the members from what the user wants to go over."""
+    axes = _axes(scenario, table("over", over))
+    if not product:
+        _same_lengths(axes)
+    return Sweep(scenario, axes, product, samples)
+
+
+def _axes(scenario: Scenario, over: dict[str, Any]) -> dict[str, Floats]:
     """Give the axes as arrays, each an initial value or a parameter of the scenario."""
     if not over:
         raise _core.InputError(
@@ -163,7 +172,7 @@ def axes(scenario: Scenario, over: dict[str, Any]) -> dict[str, Floats]:
     return found
 
 
-def same_lengths(axes: dict[str, Floats]) -> None:
+def _same_lengths(axes: dict[str, Floats]) -> None:
     """Refuse rows that do not fit together."""
     lengths = {name: len(values) for name, values in axes.items()}
     if len(set(lengths.values())) > 1:

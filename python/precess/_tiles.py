@@ -62,22 +62,9 @@ def done(
     threads: int | None,
     told: Told | None,
 ) -> Members:
-    """Do all of the work, in tiles where it is to go elsewhere or to be kept."""
+    """Do all of the work, in tiles where it is to go elsewhere or to be kept; what the store has is not done again."""
     if client is None and store is None:
         return work.run(0, work.size, threads, told)
-    return in_tiles(work, client=client, tile=tile, store=store, threads=threads, told=told)
-
-
-def in_tiles(
-    work: Work,
-    *,
-    client: Submits | None,
-    tile: int,
-    store: str | Path | None,
-    threads: int | None,
-    told: Told | None,
-) -> Members:
-    """Do the work in tiles; those that the store has already are not done again."""
     _check(client, tile)
     kept = Store(store, work, tile) if store is not None else Memory(work)
     tiles = [(first, min(first + tile, work.size)) for first in range(0, work.size, tile)]
