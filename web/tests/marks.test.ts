@@ -1,42 +1,16 @@
 import { expect, test } from "vitest";
-import type { Ink } from "../src/draw/ink";
 import { drawEvents } from "../src/draw/marks";
 import { drawPlot, px } from "../src/draw/plot";
 import { SvgBrush } from "../src/draw/svg";
 import { marksOf } from "../src/lab/marks";
-import { Look } from "../src/lab/result";
 import { fresh, toml } from "../src/lab/scenario";
 import { load } from "./builds";
+import { ink, lookAt } from "./looks";
 
 const core = await load("precess");
 const noria = core.catalogue().systems.find(({ id }) => id === "noria");
 if (!noria) throw new Error("no noria");
 const usual = fresh(noria);
-
-const ink: Ink = {
-  paper: "#fff",
-  ink: "#000",
-  faint: "#888",
-  grid: "#eee",
-  accent: "#f00",
-  curves: ["#001"],
-  dark: false,
-  font: "serif",
-  weight: 1,
-};
-
-function lookAt(text: string): Look {
-  const run = core.run(text);
-  const { rows, columns } = run.report;
-  const table = run.numbers;
-  const numbers = Float64Array.from(
-    { length: rows * columns.length },
-    (_, at) => table[(at % rows) * columns.length + Math.floor(at / rows)] ?? NaN,
-  );
-  const result = { scenario: usual, report: run.report, hash: "", events: run.events(), numbers };
-  run.free();
-  return new Look(result);
-}
 
 test("events are marked at the first sample behind them, in the words of the card", () => {
   const scenario = { ...usual, rest: '[[event]]\nname = "half_round"\nwhen = "theta = 3"\n' };

@@ -1,7 +1,6 @@
 import { expect, test } from "vitest";
 import { SvgBrush } from "../src/draw/svg";
-import type { Ink } from "../src/draw/ink";
-import { Look } from "../src/lab/result";
+import type { Look } from "../src/lab/result";
 import { fresh, toml } from "../src/lab/scenario";
 import { potential } from "../src/scenes/henon_heiles";
 import { road } from "../src/scenes/car_suspension";
@@ -15,6 +14,7 @@ import { cones, ellipsoid, product, upright } from "../src/scenes/kit/poinsot";
 import { supportOf, surface, turned } from "../src/scenes/kit/table";
 import { largest, vectorsOf } from "../src/scenes/kit/vectors";
 import { load } from "./builds";
+import { ink, lookAt } from "./looks";
 
 const core = await load("precess");
 const { systems, scenarios } = core.catalogue();
@@ -22,28 +22,6 @@ const files = import.meta.glob<{ default: Scene }>("../src/scenes/*.ts", { eager
 const pictures = Object.keys(import.meta.glob("../src/thumbnails/*.webp"));
 const sceneOf = (id: string) => files[`../src/scenes/${id}.ts`]?.default;
 
-const ink: Ink = {
-  paper: "#fff",
-  ink: "#000",
-  faint: "#888",
-  grid: "#eee",
-  accent: "#f00",
-  curves: ["#001", "#002", "#003", "#004", "#005"],
-  dark: false,
-  font: "serif",
-  weight: 1,
-};
-
-function lookAt(text: string): Look {
-  const run = core.run(text);
-  const { rows, columns } = run.report;
-  const numbers = Float64Array.from({ length: rows * columns.length }, (_, at) => {
-    return run.numbers[(at % rows) * columns.length + Math.floor(at / rows)] ?? NaN;
-  });
-  const result = { scenario: fresh(systemOf("pendulum")), report: run.report, hash: "", events: [], numbers };
-  run.free();
-  return new Look(result);
-}
 function systemOf(id: string) {
   const system = systems.find((one) => one.id === id);
   if (!system) throw new Error(id);

@@ -2,6 +2,7 @@
 // The thread that holds the core. It is told a scenario and answers with a report and columns.
 
 import { Core, CoreError } from "../core";
+import { columnsOf } from "./columns";
 import type { Ask, Answer } from "./messages";
 
 let core: Core | undefined;
@@ -45,14 +46,7 @@ function run(core: Core, id: number, text: string): void {
     return !stop || Atomics.load(stop, 0) !== id;
   });
   try {
-    const { rows, columns } = run.report;
-    const table = run.numbers;
-    const numbers = new Float64Array(table.length);
-    for (let row = 0; row < rows; row++) {
-      for (let k = 0; k < columns.length; k++) {
-        numbers[k * rows + row] = table[row * columns.length + k] ?? NaN;
-      }
-    }
+    const numbers = columnsOf(run);
     const events = run.events();
     say({ kind: "done", id, report: run.report, hash: run.hash(), events, numbers }, [numbers.buffer]);
   } finally {

@@ -1,0 +1,142 @@
+// What stands beside the run: comparisons, vectors, events, exercises.
+
+import { expect, test } from "@playwright/test";
+import { barriers, choose, drawing, fill, hashOf, open, picture, taken } from "./page";
+
+test("methods can be compared, and equations read", async ({ page }) => {
+  await open(page);
+  await choose(page, "pendulum");
+  await page.locator("[data-rival=euler]").check();
+  await expect(page.getByText(/evaluations/)).toHaveCount(2);
+  await page.getByRole("button", { name: "Equations", exact: true }).click();
+  await expect(page.locator(".katex").first()).toBeVisible();
+});
+
+test("what a source prints runs beside what is right", async ({ page }) => {
+  await open(page);
+  await choose(page, "gyroscope_integrals");
+  const corrected = await hashOf(page);
+  await page.locator("[data-both=formula_21]").check();
+  await expect(page.locator("[data-run-of]")).toHaveCount(2);
+  await expect(page.locator("[data-run-of='1']")).toContainText(/formula_21 as printed.*evaluations/s);
+  await page.locator("[data-printed=formula_21]").click();
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", corrected ?? "");
+  await expect(page.locator("[data-run-of='1']")).toContainText(/formula_21 corrected.*evaluations/s);
+  await expect(page.locator("[data-printed=formula_21]")).toHaveAttribute("aria-pressed", "true");
+  expect(await barriers(page)).toEqual([]);
+  await page.locator("[data-corrected=formula_21]").click();
+  await expect(page.locator("[data-run]")).toHaveAttribute("data-run", corrected ?? "");
+  // Another system has nothing of the kind, and nothing to compare.
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-run-of]")).toHaveCount(0);
+  await expect(page.locator("[data-both]")).toHaveCount(0);
+});
+
+test("of hundreds of quantities a few are listed, of the body at hand", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "cluster");
+  await expect(page.locator("[data-field=y0_dot]")).toBeVisible();
+  await expect(page.locator("[data-field=x9]")).toHaveCount(0);
+  await page.locator("[data-group]").selectOption("9");
+  await expect(page.locator("[data-field=x9]")).toBeVisible();
+  expect(await page.locator("[data-field]").count()).toBeLessThan(20);
+  expect(await page.locator("main option").count()).toBeLessThan(120);
+  await page.locator("figure:has([data-graph='2']) select").first().selectOption("x9");
+  await page.locator("[data-describe]").click();
+  await expect(page.locator("[data-spoken]")).toContainText("x of asteroid 9");
+  await expect(page.locator("[data-spoken]")).toContainText("544 more numbers are not read");
+  // A short run is enough of it.
+  await fill(page, "until", "5");
+  await expect(page.locator("[data-scrub]")).toHaveAttribute("max", "100");
+  const before = await hashOf(page);
+  await fill(page, "x9", "200");
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+});
+
+test("vectors stand in a solid scene, and its camera goes along", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  const bare = await drawing(page, "[data-scene]");
+  await page.locator("[data-vectors]").click();
+  await expect(page.locator("[data-vector=omega]")).toHaveAttribute("aria-pressed", "true");
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(bare);
+  const some = await drawing(page, "[data-scene]");
+  await page.locator("[data-vector=weight]").click();
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(some);
+  const all = await drawing(page, "[data-scene]");
+  await page.locator("[data-view]").selectOption("body");
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(all);
+  expect(await barriers(page, "main")).toEqual([]);
+  await page.locator("[data-view]").selectOption("rest");
+  await page.locator("[data-vectors]").click();
+  await expect.poll(() => drawing(page, "[data-scene]")).toBe(bare);
+  // Another run is another scene, with the same vectors in it.
+  await page.locator("[data-vectors]").click();
+  await choose(page, "free_body");
+  await expect(page.locator("[data-vector=momentum]")).toBeVisible();
+  await expect(page.locator("[data-vector=weight]")).toHaveCount(0);
+});
+
+test("events are marked along the time bar, and gone to by name", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await expect(page.locator("[data-event]")).toHaveCount(0);
+  await choose(page, "noria");
+  await expect(page.locator("[data-strip]")).not.toHaveAttribute("data-strip", "0");
+  await page.locator("[data-scrub]").fill("0");
+  await page.locator("[data-event-on]").click();
+  await expect(page.locator("[data-event]")).toContainText("enough water to turn (t = ");
+  await expect(page.locator("[data-spoken]")).toContainText("enough water to turn");
+  const clock = await page.locator("[data-clock]").textContent();
+  await page.locator("[data-event-on]").click();
+  await expect(page.locator("[data-clock]")).not.toHaveText(clock ?? "");
+  await page.locator("[data-event-back]").click();
+  await expect(page.locator("[data-clock]")).toHaveText(clock ?? "");
+  // A few events are named in the graphs too.
+  await choose(page, "pendulum");
+  await page.locator("[data-preset='string-pendulum.toml']").click();
+  await expect(page.locator("[data-event]")).toContainText("/ 6");
+  expect((await taken(page, "[data-graph-svg='2']")).bytes.toString()).toContain(">slackens<");
+  expect(await barriers(page, "main")).toEqual([]);
+});
+
+test("an exercise is answered, checked by the simulation, opened and printed", async ({ page }) => {
+  await open(page);
+  await page.locator("[data-exercise-list]").click();
+  const card = page.locator("[data-exercise=taut-string]");
+  const field = card.getByLabel("Your answer");
+  await field.fill("6");
+  await field.press("Enter");
+  await expect(card.locator("[data-verdict=small]")).toContainText("Too small");
+  await field.fill("much");
+  await field.press("Enter");
+  await expect(card.getByRole("status")).toContainText("not a number");
+  await field.fill("(5*9,81)^0.5");
+  await card.getByRole("button", { name: "Check" }).click();
+  await expect(card.locator("[data-verdict=right]")).toContainText("7.0036 rad/s");
+  expect(await barriers(page, "[data-exercises]")).toEqual([]);
+  await card.getByRole("button", { name: "Open the run" }).click();
+  await expect(page.locator("[data-field=theta_dot]")).toHaveValue("5");
+  await page.getByLabel("This system only").check();
+  await expect(page.locator("[data-exercise=ellipse]")).toHaveCount(0);
+  await page.emulateMedia({ media: "print" });
+  await expect(card).toBeVisible();
+  await expect(page.locator("[data-scene]")).toBeHidden();
+  await expect(page.locator("[data-system]").first()).toBeHidden();
+});
+
+test("a free body is shown as Poinsot saw it, too", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "free_body");
+  let before = "";
+  for (const title of ["Scene", "Ellipsoid on its plane", "Two cones"]) {
+    await page.locator("[data-which]").selectOption(title);
+    await expect.poll(() => picture(page, "[data-scene]")).not.toBe(before);
+    before = await picture(page, "[data-scene]");
+    expect(new Set(before.split(",")).size).toBeGreaterThan(20);
+  }
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-which]")).toHaveCount(0);
+});
