@@ -92,13 +92,6 @@ impl Field<f64> for Tangents<'_> {
             }
         }
     }
-
-    fn observe(&self, _: f64, _: &[f64], _: &mut [f64]) {}
-    fn lagrangian(&self, _: f64, _: &[f64]) -> Option<f64> {
-        None
-    }
-    fn crossings(&self, _: f64, _: &[f64], _: &mut [f64]) {}
-    fn jump(&self, _: usize, _: f64, _: &mut [f64]) {}
 }
 
 /// The derivative of the rates of the state by the state at a full state, row by row.

@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{Folder, err, out, precess, rows};
+use program::{Folder, err, out, precess, refused, rows};
 
 #[test]
 fn a_section_is_a_table_of_times_and_states() {
@@ -80,9 +80,7 @@ fn a_wrong_question_is_answered_with_a_sentence() {
         (&["poincare", "pendulum", "--section", "t = 0 mod period"], "drive"),
     ];
     for (arguments, word) in cases {
-        let wrong = precess(arguments);
-        assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
-        assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+        refused(arguments, word);
     }
 }
 
@@ -209,8 +207,6 @@ fn basins_that_make_no_sense_are_refused_in_a_sentence() {
         ),
     ];
     for (arguments, word) in cases {
-        let wrong = precess(arguments);
-        assert_eq!(wrong.status.code(), Some(2), "{arguments:?}");
-        assert!(err(&wrong).contains(word) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+        refused(arguments, word);
     }
 }

@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{Folder, err, out, precess};
+use program::{Folder, err, out, precess, refused};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -329,51 +329,6 @@ fn a_link_is_followed_and_permissions_stay() {
 }
 
 #[test]
-fn bench_measures_one_thing_by_name() {
-    let run = precess(&["bench", "limits", "--json"]);
-    assert!(run.status.success(), "{}", err(&run));
-    assert_eq!(err(&run), "");
-    let report: serde_json::Value = serde_json::from_str(&out(&run)).expect("JSON");
-    let table = &report["benchmarks"][0];
-    assert_eq!(table["name"], "limits");
-    assert_eq!(table["rows"][0]["name"], "scalar");
-    assert!(table["rows"][0]["divide_rate"].as_f64().is_some_and(|rate| rate > 0.0));
-    let text = out(&precess(&["bench", "limits"]));
-    assert!(text.starts_with("limits: ") && text.contains("multiply, add"), "{text}");
-}
-
-#[test]
-fn bench_says_what_is_wrong() {
-    let cases: [(&[&str], &str); 4] = [
-        (&["bench", "limit"], "did you mean 'limits'?"),
-        (&["bench", "limits", "--peer", "c=true"], "peers do the magnets"),
-        (&["bench", "magnets", "--peer", "c"], "NAME=COMMAND"),
-        (&["bench", "magnets", "--peer", "c=/no/such/program"], "cannot be run: no such file or directory"),
-    ];
-    for (arguments, words) in cases {
-        let run = precess(arguments);
-        assert_eq!(run.status.code(), Some(2), "{}", err(&run));
-        assert!(err(&run).starts_with("precess: ") && err(&run).contains(words), "{}", err(&run));
-        assert_eq!(err(&run).lines().count(), 1, "{}", err(&run));
-        assert_eq!(out(&run), "");
-    }
-}
-
-#[test]
-fn bench_measures_the_lanes_that_the_environment_names() {
-    let with = |lanes: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_precess"));
-        command.args(["bench", "limits", "--json"]).env("PRECESS_LANES", lanes);
-        command.output().expect("the program starts")
-    };
-    let report: serde_json::Value = serde_json::from_str(&out(&with("scalar"))).expect("JSON");
-    assert_eq!(report["machine"]["lanes"], serde_json::json!(["scalar"]));
-    let refused = with("mmx");
-    assert_eq!(refused.status.code(), Some(2), "{}", err(&refused));
-    assert!(err(&refused).contains("it has scalar"), "{}", err(&refused));
-}
-
-#[test]
 fn a_gallery_has_pictures_notes_and_both_languages() {
     let folder = Folder::new("gallery");
     let place = folder.file("pages");
@@ -405,8 +360,6 @@ fn bodies_are_worked_out() {
         (&["sphere", "radius=1", "mass=1", "--about", "[0; 1]"], "three coordinates"),
         (&["+"], "a shape is missing"),
     ] {
-        let wrong = precess(&[&["body"], words].concat());
-        assert_eq!(wrong.status.code(), Some(2), "{words:?}");
-        assert!(err(&wrong).contains(why) && err(&wrong).lines().count() == 1, "{}", err(&wrong));
+        refused(&[&["body"], words].concat(), why);
     }
 }

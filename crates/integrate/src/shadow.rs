@@ -43,13 +43,6 @@ impl Field<DoubleDouble> for Recorded {
         let inputs: Vec<DoubleDouble> = std::iter::once(t).chain(y.iter().copied()).collect();
         dy.copy_from_slice(&self.equations.evaluate(&inputs));
     }
-    fn observe(&self, _: DoubleDouble, _: &[DoubleDouble], _: &mut [DoubleDouble]) {}
-    fn lagrangian(&self, _: DoubleDouble, _: &[DoubleDouble]) -> Option<DoubleDouble> {
-        None
-    }
-    fn solution(&self, _: DoubleDouble, _: &[DoubleDouble], _: DoubleDouble, _: &mut [DoubleDouble]) {}
-    fn crossings(&self, _: DoubleDouble, _: &[DoubleDouble], _: &mut [DoubleDouble]) {}
-    fn jump(&self, _: usize, _: DoubleDouble, _: &mut [DoubleDouble]) {}
 }
 
 impl Shadow<'_> {

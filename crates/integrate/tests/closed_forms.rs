@@ -14,17 +14,8 @@ fn the_oscillator_passes_zero_at_a_quarter_of_its_period() {
     let field = harmonic(1.0);
     let watches =
         [watch(|_, y| y[0], Direction::Falling, false), watch(|_, y| y[0], Direction::Either, true)];
-    let (report, _) = Run {
-        field: &field,
-        method: "dop853",
-        start: &[1.0, 0.0],
-        until: 10.0,
-        every: 1.0,
-        pace: tight(1e-14),
-        directions: &[],
-        watches: &watches,
-    }
-    .go();
+    let (report, _) =
+        Run { watches: &watches, ..Run::new(&field, "dop853", &[1.0, 0.0], (10.0, 1.0), tight(1e-14)) }.go();
     assert_eq!(report.stopped_by, Some(1));
     assert_eq!(report.events.len(), 2);
     for event in &report.events {
@@ -49,16 +40,7 @@ fn the_pendulum_of_figure_3_is_at_the_bottom_after_a_quarter_of_its_elliptic_per
     let start = [49.0 * PI / 50.0, 0.0];
     let quarter = elliptic_k(Scalar::sin(49.0 * PI / 100.0));
     let watches = [watch(|_, y| y[0], Direction::Falling, false)];
-    let run = Run {
-        field: &field,
-        method: "dop853",
-        start: &start,
-        until: 6.0,
-        every: quarter,
-        pace: tight(1e-14),
-        directions: &[],
-        watches: &watches,
-    };
+    let run = Run { watches: &watches, ..Run::new(&field, "dop853", &start, (6.0, quarter), tight(1e-14)) };
     let (report, rows) = run.go();
     println!("theta {:e}, event off by {:e}", rows[1].1[0], report.events[0].t - quarter);
     assert!(rows[1].1[0].abs() < 1e-12, "{:e}", rows[1].1[0]);
@@ -95,17 +77,9 @@ fn the_closed_form_adds_up_no_errors() {
 fn the_closed_form_refuses_events() {
     let field = harmonic(1.0);
     let watches = [watch(|_, y| y[0], Direction::Either, false)];
-    let (report, rows) = Run {
-        field: &field,
-        method: "exact",
-        start: &[1.0, 0.0],
-        until: 10.0,
-        every: 1.0,
-        pace: Pace::Fixed(1.0),
-        directions: &[],
-        watches: &watches,
-    }
-    .go();
+    let (report, rows) =
+        Run { watches: &watches, ..Run::new(&field, "exact", &[1.0, 0.0], (10.0, 1.0), Pace::Fixed(1.0)) }
+            .go();
     assert!(matches!(report.failure, Some(Failure::Refused { what }) if what.contains("no event")));
     assert_eq!(rows.len(), 0);
 }

@@ -18,17 +18,8 @@ fn every_method_finds_the_crossings_in_order() {
             watch(|_, y| y[0], Direction::Rising, false),
             watch(|_, y| y[0], Direction::Falling, false),
         ];
-        let (report, rows) = Run {
-            field: &field,
-            method: id,
-            start: &[1.0, 0.0],
-            until: 10.0,
-            every: 0.5,
-            pace,
-            directions: &[],
-            watches: &watches,
-        }
-        .go();
+        let (report, rows) =
+            Run { watches: &watches, ..Run::new(&field, id, &[1.0, 0.0], (10.0, 0.5), pace) }.go();
         assert_eq!(rows.len(), 21, "{id}");
         let sources: Vec<_> = report.events.iter().map(|e| e.source).collect();
         let (turn, up, down) = (Source::Watch(0), Source::Watch(1), Source::Watch(2));
@@ -51,16 +42,8 @@ fn a_ball_bounces_at_its_geometric_times() {
         ("rk4", Pace::Fixed(0.5)),
     ] {
         // From height 1 with unit gravity: the floor at sqrt 2, then flights of 2 sqrt 2 e^n.
-        let run = Run {
-            field: &field,
-            method: id,
-            start: &[1.0, 0.0],
-            until: 12.5,
-            every: 0.1,
-            pace,
-            directions: &[Direction::Falling],
-            watches: &[],
-        };
+        let run =
+            Run { directions: &[Direction::Falling], ..Run::new(&field, id, &[1.0, 0.0], (12.5, 0.1), pace) };
         let (report, rows) = run.go();
         let root = 2.0_f64.sqrt();
         let mut t = root;
@@ -78,16 +61,8 @@ fn a_ball_that_comes_to_rest_ends_with_a_sentence_and_does_not_fall_through() {
     let field = ball(0.5);
     // All bounces are over at 3 sqrt 2.
     for (id, pace) in [("dop853", tight(1e-10)), ("rk4", Pace::Fixed(0.01))] {
-        let run = Run {
-            field: &field,
-            method: id,
-            start: &[1.0, 0.0],
-            until: 10.0,
-            every: 0.1,
-            pace,
-            directions: &[Direction::Falling],
-            watches: &[],
-        };
+        let run =
+            Run { directions: &[Direction::Falling], ..Run::new(&field, id, &[1.0, 0.0], (10.0, 0.1), pace) };
         let (report, rows) = run.go();
         assert!(rows.iter().all(|r| r.1[0] > -1e-9), "{id}: through the floor");
         let Some(Failure::TooManyEvents { t }) = report.failure else { panic!("{id}: {:?}", report.failure) };
@@ -101,17 +76,8 @@ fn an_event_exactly_on_a_sample_or_on_the_end_of_a_step_is_neither_lost_nor_doub
     for (id, pace) in paces(0.1).chain(paces(0.07)) {
         for at in [0.3, 0.5, 0.7, 1.0, 1.4, 2.1] {
             let watches = [watch(move |t, _| t - at, Direction::Rising, false)];
-            let (report, rows) = Run {
-                field: &field,
-                method: id,
-                start: &[1.0, 0.0],
-                until: 3.0,
-                every: 0.5,
-                pace: pace.clone(),
-                directions: &[],
-                watches: &watches,
-            }
-            .go();
+            let (report, rows) =
+                Run { watches: &watches, ..Run::new(&field, id, &[1.0, 0.0], (3.0, 0.5), pace.clone()) }.go();
             let times: Vec<f64> = rows.iter().map(|r| r.0).collect();
             assert_eq!(times, [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0], "{id} {pace:?} at {at}");
             assert_eq!(report.events.len(), 1, "{id} {pace:?} at {at}");
@@ -142,14 +108,9 @@ fn events_at_the_same_time_all_happen() {
         let directions = [Direction::Rising; 2];
         let watches = [watch(|_, y| y[1] - 1.0, Direction::Rising, false)];
         let run = Run {
-            field: &field,
-            method: id,
-            start: &[0.0, 0.0],
-            until: 9.9,
-            every: 1.0,
-            pace,
             directions: &directions,
             watches: &watches,
+            ..Run::new(&field, id, &[0.0, 0.0], (9.9, 1.0), pace)
         };
         let (report, _) = run.go();
         let count = |source| report.events.iter().filter(|e| e.source == source).count();
@@ -166,17 +127,8 @@ fn a_watch_that_stops_ends_the_run_with_a_sample_there() {
     let field = harmonic(1.0);
     let watches =
         [watch(|_, y| y[0], Direction::Rising, true), watch(|_, y| y[0], Direction::Falling, false)];
-    let (report, rows) = Run {
-        field: &field,
-        method: "dop853",
-        start: &[1.0, 0.0],
-        until: 20.0,
-        every: 1.0,
-        pace: tight(1e-12),
-        directions: &[],
-        watches: &watches,
-    }
-    .go();
+    let (report, rows) =
+        Run { watches: &watches, ..Run::new(&field, "dop853", &[1.0, 0.0], (20.0, 1.0), tight(1e-12)) }.go();
     assert_eq!(report.stopped_by, Some(0));
     assert_eq!(report.events.len(), 2);
     assert_eq!(rows.len(), 6, "0 to 4, and the stop");

@@ -14,17 +14,7 @@ fn what_runs_away_keeps_what_was_recorded_and_says_when() {
         if method(id).card().needs == Needs::Separable {
             continue;
         }
-        let (report, rows) = Run {
-            field: &field,
-            method: id,
-            start: &[1.0, 1.0],
-            until: 10.0,
-            every: 0.1,
-            pace,
-            directions: &[],
-            watches: &[],
-        }
-        .go();
+        let (report, rows) = Run::new(&field, id, &[1.0, 1.0], (10.0, 0.1), pace).go();
         let failure = report.failure.expect("it runs away");
         assert!(rows.len() > 15 && rows.iter().all(|r| r.1[0].is_finite()), "{id}: {} rows", rows.len());
         assert!((1.5..3.5).contains(&failure.time()), "{id}: {failure}");

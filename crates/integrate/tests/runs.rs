@@ -43,17 +43,7 @@ fn samples_lie_at_the_multiples_and_at_the_end() {
 fn steps_of_fixed_length_are_exactly_that() {
     // The plain loop, 1000 steps of 0.001, gives the bits of the run that samples every ten steps.
     let field = harmonic(1.0);
-    let (report, rows) = Run {
-        field: &field,
-        method: "euler_cromer",
-        start: &[1.0, 0.2],
-        until: 1.0,
-        every: 0.01,
-        pace: Pace::Fixed(0.001),
-        directions: &[],
-        watches: &[],
-    }
-    .go();
+    let (report, rows) = Run::new(&field, "euler_cromer", &[1.0, 0.2], (1.0, 0.01), Pace::Fixed(0.001)).go();
     assert_eq!(report.steps, 1000);
     let (mut x, mut v) = (1.0, 0.2);
     for (k, (_, y)) in rows.iter().enumerate() {
@@ -72,48 +62,15 @@ fn a_run_backwards_returns_to_the_start() {
     // Time enters, so the way back is the run over t from 0 to -3 of the system shifted by 3; without time:
     let free = pendulum(0.1);
     for pace in [tight(1e-12), Pace::Fixed(0.01)] {
-        let there = Run {
-            field: &free,
-            method: "dop853",
-            start: &start[..2],
-            until: 3.0,
-            every: 1.0,
-            pace: pace.clone(),
-            directions: &[],
-            watches: &[],
-        }
-        .go()
-        .1;
+        let there = Run::new(&free, "dop853", &start[..2], (3.0, 1.0), pace.clone()).go().1;
         let end = &there[3].1;
-        let back = Run {
-            field: &free,
-            method: "dop853",
-            start: end,
-            until: -3.0,
-            every: 1.0,
-            pace,
-            directions: &[],
-            watches: &[],
-        }
-        .go()
-        .1;
+        let back = Run::new(&free, "dop853", end, (-3.0, 1.0), pace).go().1;
         for (a, b) in back[3].1.iter().zip(&start) {
             assert!((a - b).abs() < 1e-11, "{a} against {b}");
         }
     }
     // And the state before the start, with time entering.
-    let rows = Run {
-        field: &field,
-        method: "dop853",
-        start: &start,
-        until: -1.0,
-        every: 0.5,
-        pace: tight(1e-11),
-        directions: &[],
-        watches: &[],
-    }
-    .go()
-    .1;
+    let rows = Run::new(&field, "dop853", &start, (-1.0, 0.5), tight(1e-11)).go().1;
     assert_eq!(rows.iter().map(|r| r.0).collect::<Vec<_>>(), [0.0, -0.5, -1.0]);
 }
 

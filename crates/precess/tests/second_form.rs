@@ -35,13 +35,6 @@ impl Field<f64> for EulerLagrange {
             outputs[2 * n..].chunks(n).map(|row| row.iter().map(|w| w.value).collect()).collect();
         solve(&mut masses, accelerations);
     }
-    fn observe(&self, _t: f64, _y: &[f64], _out: &mut [f64]) {}
-    fn lagrangian(&self, _t: f64, _y: &[f64]) -> Option<f64> {
-        None
-    }
-    fn solution(&self, _from: f64, _start: &[f64], _t: f64, _y: &mut [f64]) {}
-    fn crossings(&self, _t: f64, _y: &[f64], _out: &mut [f64]) {}
-    fn jump(&self, _event: usize, _t: f64, _y: &mut [f64]) {}
 }
 
 /// Gauss's elimination. The matrix of the masses is symmetric and positive: no pivot is needed.

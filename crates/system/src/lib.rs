@@ -3,6 +3,8 @@
 //! A system is a [`Card`] (names, units, defaults, texts, source) and its [`System`] equations, generic over
 //! the number. [`Field`] is the one seam where the system's type is forgotten and the number's is kept.
 
+mod any_system;
+mod bound;
 mod card;
 mod expression;
 mod field;
@@ -17,11 +19,12 @@ mod trajectory;
 mod units;
 mod values;
 
+pub use any_system::{AnySystem, LawNumbers, TangentNumbers};
 pub use card::{Card, Defaults, Direction, Event, Held, Observable, ObservableKind, View, card};
 pub use expression::expression;
 #[cfg(feature = "tangents")]
 pub use field::Observes;
-pub use field::{AnySystem, Bind, Field, LawNumbers, Rates, TangentNumbers};
+pub use field::{Bind, Field, Rates};
 pub use hamilton::{beside_the_lagrangian, momenta};
 pub use layout::{Coordinate, Layout, Order, Shape, coordinate};
 pub use quantity::{Default, Parameter, Quantity, Range, choice, list, number, quantity, rows};

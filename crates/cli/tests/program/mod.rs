@@ -16,6 +16,16 @@ pub fn err(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
+/// What is wrong is told in one sentence with this word in it, and nothing else.
+pub fn refused(arguments: &[&str], word: &str) {
+    let output = precess(arguments);
+    let message = err(&output);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+    assert!(message.starts_with("precess: ") && message.contains(word), "{arguments:?}: {message}");
+    assert_eq!(message.lines().count(), 1, "{message}");
+    assert_eq!(out(&output), "", "{arguments:?}");
+}
+
 /// A folder of the test's own that is gone afterwards.
 pub struct Folder(pub PathBuf);
 

@@ -180,7 +180,7 @@ impl<L: Scalar> Stages<L> {
     {
         for block in 0..self.states.len() {
             for &i in &common.plain {
-                self.states[block][i] = weighted(&self.ahead[block], &self.rates, i);
+                self.states[block][i] = weighted::<S, L, L>(&self.ahead[block], &self.rates, i);
             }
         }
         std::mem::swap(&mut self.states, &mut self.rates);
@@ -209,13 +209,13 @@ impl<L: Scalar> Stages<L> {
         let h = L::spread(h);
         for block in 0..self.states.len() {
             for &i in &common.plain {
-                let sum = weighted(&self.a[block], &self.rates, i);
+                let sum = weighted::<S, L, L>(&self.a[block], &self.rates, i);
                 self.states[block][i] = L::spread(y[i]) + (h * sum + L::spread(common.left_out(i)));
             }
         }
         for block in 0..self.states.len() {
             for &(x, v) in &common.pairs {
-                let sum = weighted(&self.a[block], &self.states, v);
+                let sum = weighted::<S, L, L>(&self.a[block], &self.states, v);
                 self.states[block][x] = L::spread(y[x]) + (h * sum + L::spread(common.left_out(x)));
             }
         }
@@ -236,7 +236,7 @@ impl<L: Scalar> Stages<L> {
             for &i in &common.plain {
                 let (row, change) = (settling.row(i), h * (self.new[i] - rate[i]));
                 self.change[row] = self.change[row] + change.squared();
-                rate[i] = L::select(L::spread_mask(settling.moves(row)), self.new[i], rate[i]);
+                rate[i] = L::select(L::spread_mask(settling.moving()[row]), self.new[i], rate[i]);
             }
             for (row, change) in self.change.iter().enumerate() {
                 for change in change.parts() {
@@ -248,13 +248,13 @@ impl<L: Scalar> Stages<L> {
     }
 }
 
-/// The sum over stages, in their order.
+/// The sum over stages, in their order; the weights hold several of them, or one.
 #[inline(always)]
-fn weighted<S: Scalar, L: Abreast<S>>(weights: &[L], stages: &[Vec<L>], i: usize) -> L {
-    let mut sum = L::from(0.0);
+fn weighted<S: Scalar, L: Abreast<S>, W: Abreast<S>>(weights: &[W], stages: &[Vec<L>], i: usize) -> W {
+    let mut sum = W::from(0.0);
     for (stage, weights) in stages.iter().zip(weights.chunks_exact(L::COUNT)) {
-        for (part, a) in stage[i].parts().iter().zip(weights) {
-            sum = sum + *a * L::spread(*part);
+        for (part, weight) in stage[i].parts().iter().zip(weights) {
+            sum = sum + *weight * W::spread(*part);
         }
     }
     sum
@@ -320,10 +320,7 @@ impl<S: Scalar> Stepper<S> for Collocation<S> {
         }
     }
     fn restart(&mut self) {
-        self.common.last = S::from(f64::NAN);
-        for carry in self.common.carry.iter_mut().flatten() {
-            carry.fill(S::from(0.0));
-        }
+        self.begin(S::always());
     }
     fn begin(&mut self, lanes: S::Mask) {
         self.common.last = S::select(lanes, S::from(f64::NAN), self.common.last);
@@ -353,26 +350,14 @@ impl<S: Scalar> Common<S> {
         }
     }
 
-    /// The sum over stages, in their order.
-    #[inline(always)]
-    fn weighted<L: Abreast<S>>(&self, stages: &[Vec<L>], i: usize) -> S {
-        let mut sum = S::from(0.0);
-        for (stage, weights) in stages.iter().zip(self.weights.chunks_exact(L::COUNT)) {
-            for (part, b) in stage[i].parts().iter().zip(weights) {
-                sum = sum + *b * *part;
-            }
-        }
-        sum
-    }
-
     /// The state at the end.
     #[inline(always)]
     fn finish<L: Abreast<S>>(&mut self, stages: &Stages<L>, y: &[S], h: S, out: &mut [S]) {
         for &i in &self.plain {
-            out[i] = h * self.weighted(&stages.rates, i);
+            out[i] = h * weighted::<S, L, S>(&self.weights, &stages.rates, i);
         }
         for &(x, v) in &self.pairs {
-            out[x] = h * self.weighted(&stages.states, v);
+            out[x] = h * weighted::<S, L, S>(&self.weights, &stages.states, v);
         }
         for (i, out) in out.iter_mut().enumerate() {
             let Some([start, end]) = &mut self.carry else {

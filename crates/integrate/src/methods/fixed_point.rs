@@ -81,12 +81,6 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
         &self.moving
     }
 
-    /// Whether a row still moves.
-    #[inline(always)]
-    pub fn moves(&self, row: usize) -> S::Mask {
-        self.moving[row]
-    }
-
     /// A row has changed by what has this square.
     #[inline(always)]
     pub fn add(&mut self, row: usize, square: S) {

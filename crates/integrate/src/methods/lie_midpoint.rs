@@ -147,7 +147,7 @@ impl<S: Scalar> Stepper<S> for Steps<S> {
             for (i, (old, new)) in step.out.iter_mut().zip(&self.next).enumerate() {
                 let row = self.settling.row(i);
                 self.settling.add(row, (*new - *old).squared());
-                *old = S::select(self.settling.moves(row), *new, *old);
+                *old = S::select(self.settling.moving()[row], *new, *old);
             }
             if self.settling.rests() {
                 return Ok(());

@@ -83,10 +83,6 @@ impl<T: Toy, S: Scalar> Field<S> for Bound<T> {
     fn solution(&self, from: S, start: &[S], t: S, y: &mut [S]) {
         self.each_row(start, y, |own, then| self.toy.solution(from, own, t, then));
     }
-    fn observe(&self, _t: S, _y: &[S], _out: &mut [S]) {}
-    fn lagrangian(&self, _t: S, _y: &[S]) -> Option<S> {
-        None
-    }
     fn crossings(&self, t: S, y: &[S], out: &mut [S]) {
         self.toy.crossings(t, y, out);
     }

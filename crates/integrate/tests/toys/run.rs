@@ -19,7 +19,18 @@ pub struct Run<'a> {
     pub watches: &'a [Watched<'a>],
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    /// Watched for nothing; `until` and `every` go together.
+    pub fn new(
+        field: &'a dyn Known,
+        method: &'a str,
+        start: &'a [f64],
+        (until, every): (f64, f64),
+        pace: Pace,
+    ) -> Self {
+        Self { field, method, start, until, every, pace, directions: &[], watches: &[] }
+    }
+
     pub fn go(&self) -> (Report, Rows) {
         let mut rows = vec![];
         let report = drive(

@@ -102,13 +102,7 @@ pub fn basins(
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
     court(scenario, spec, workers, progress, |judge, starts, mut interrupted, progress| {
-        let members = starts.len() / judge.ground.plan.start.len();
-        let mut share = |done: usize| progress(done as f64 / members as f64);
-        let fates = if interrupted {
-            vec![Fate::Interrupted; members]
-        } else {
-            chase(&judge, starts, workers, &mut share)
-        };
+        let fates = followed(&judge, starts, workers, interrupted, progress);
         interrupted |= fates.contains(&Fate::Interrupted);
         Ok(concluded(judge, fates, spec, interrupted))
     })
@@ -150,6 +144,21 @@ fn court<T>(
         settle(&mut judge, ends);
     }
     ask(judge, &starts, interrupted, progress)
+}
+
+/// The fates of some starts: nobody follows them where the work has been interrupted before.
+fn followed(
+    judge: &Judge,
+    starts: &[f64],
+    workers: Workers,
+    interrupted: bool,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Vec<Fate> {
+    let members = starts.len() / judge.ground.plan.start.len();
+    if interrupted {
+        return vec![Fate::Interrupted; members];
+    }
+    chase(judge, starts, workers, &mut |done| progress(done as f64 / members as f64))
 }
 
 /// The basins from the fates of all starts.

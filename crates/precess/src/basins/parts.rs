@@ -1,8 +1,8 @@
 //! Basins in parts: whoever has the fates of some starts needs nothing of the others, so they may be found anywhere.
 
-use super::chase::{Fate, chase};
+use super::chase::Fate;
 use super::judge::{Judge, Verdict};
-use super::{Basins, BasinsSpec, concluded, court};
+use super::{Basins, BasinsSpec, concluded, court, followed};
 use crate::error::{Error, input};
 use crate::scenario::Scenario;
 use crate::workers::Workers;
@@ -31,13 +31,7 @@ pub fn part(
         let Some(mine) = starts.get(members.start * full..members.end * full) else {
             return input(format!("there are {} starts, not {}", starts.len() / full, members.end));
         };
-        let count = members.len();
-        let mut share = |done: usize| progress(done as f64 / count as f64);
-        let fates = if interrupted {
-            vec![Fate::Interrupted; count]
-        } else {
-            chase(&judge, mine, workers, &mut share)
-        };
+        let fates = followed(&judge, mine, workers, interrupted, progress);
         let rows = fates.iter().flat_map(|fate| row(fate, &judge)).collect();
         Ok((rows, width(&judge)))
     })
