@@ -39,7 +39,7 @@ pub trait Field<S: Scalar>: Send + Sync {
 
 /// Makes a field over one kind of number.
 pub trait Bind<S: Scalar> {
-    /// The system with these parameters; `layout` is the one that [`AnySystem::layout`] gave for them.
+    /// The system with these parameters; `layout` is the one that [`AnySystem::layout`](crate::AnySystem::layout) gave for them.
     fn bind(&self, values: Values<S>, layout: &Layout) -> Box<dyn Field<S>>;
 }
 
