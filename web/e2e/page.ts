@@ -4,6 +4,7 @@ import AxeBuilder from "@axe-core/playwright";
 import { expect, type Page } from "@playwright/test";
 import { createHash } from "node:crypto";
 import { readFile } from "node:fs/promises";
+import { decode } from "../src/lab/link";
 
 /** Anything that goes wrong in the page fails the test that opened it. */
 export async function open(page: Page, hash = ""): Promise<void> {
@@ -31,6 +32,12 @@ export async function taken(page: Page, selector: string): Promise<{ name: strin
 }
 
 export const hashOf = (page: Page) => page.locator("[data-run]").getAttribute("data-run");
+
+/** The scenario in the page's address. */
+export function linked(page: Page): string {
+  const decoded = decode(new URL(page.url()).hash);
+  return decoded && "text" in decoded ? decoded.text : "";
+}
 
 export async function choose(page: Page, id: string): Promise<void> {
   const before = await hashOf(page);
