@@ -186,7 +186,9 @@ pub(crate) fn later(failure: Failure, from: f64) -> Failure {
         Failure::Diverged { t } => Failure::Diverged { t: at(t) },
         Failure::StepTooSmall { t, h } => Failure::StepTooSmall { t: at(t), h },
         Failure::TooSlow { t, h } => Failure::TooSlow { t: at(t), h },
-        Failure::NoConvergence { t, h, iterations } => Failure::NoConvergence { t: at(t), h, iterations },
+        Failure::NoConvergence { t, h, iterations, residual } => {
+            Failure::NoConvergence { t: at(t), h, iterations, residual }
+        }
         Failure::TooManyEvents { t } => Failure::TooManyEvents { t: at(t) },
         Failure::Trouble { t, what } => Failure::Trouble { t: at(t), what },
         Failure::Interrupted { t } => Failure::Interrupted { t: at(t) },

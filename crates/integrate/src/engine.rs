@@ -1,7 +1,9 @@
 //! What runs at either pace have in common: the end of a step, with its samples and events.
 
 use crate::event::Scanner;
-use crate::{Dense, Drive, Failure, Kind, Occurred, Pace, Report, Source, Step, Stepper, Steps};
+use crate::{
+    Dense, Drive, Failure, Kind, NoConvergence, Occurred, Pace, Report, Source, Step, Stepper, Steps,
+};
 use std::ops::ControlFlow;
 
 /// What ends a run before its time.
@@ -121,7 +123,10 @@ impl<'a> Engine<'a> {
         let step = &mut Step { field: self.run.field, t: self.t, y: &self.y, h, out: &mut self.next };
         match self.stepper.step(step) {
             Ok(()) => ControlFlow::Continue(()),
-            Err(e) => fail(Failure::NoConvergence { t: self.t, h, iterations: e.iterations }),
+            Err(NoConvergence { iterations }) => {
+                let residual = self.stepper.residual();
+                fail(Failure::NoConvergence { t: self.t, h, iterations, residual })
+            }
         }
     }
 

@@ -77,6 +77,9 @@ impl<S: Scalar, T: Stepper<S>> Stepper<S> for Entered<T> {
     fn accept(&mut self, accepted: S::Mask) {
         S::enter(Accepted::<T, S> { stepper: &mut self.0, accepted });
     }
+    fn residual(&self) -> S {
+        self.0.residual()
+    }
     fn restart(&mut self) {
         self.0.restart();
     }

@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// A loop that comes this close may be meant to end there.
+const NEARLY: f64 = 1e-6;
+
 /// What happened, at what time, and what to try. The samples up to then stay with the caller.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
@@ -37,6 +40,8 @@ pub enum Failure {
         h: f64,
         /// Iterations after which the loop gave up.
         iterations: u32,
+        /// How much the last of them still changed the state, relative to its size.
+        residual: f64,
     },
     /// Events follow one another without time passing.
     TooManyEvents {
@@ -93,11 +98,21 @@ impl fmt::Display for Failure {
                  motion is stiff or jumps there, or the run is too long (try a larger rtol, an earlier end, or a \
                  fixed-step method)"
             ),
-            Self::NoConvergence { t, h, iterations } => write!(
-                f,
-                "at t = {t:?} s the loop of the implicit step did not converge in {iterations} iterations with a \
-                 step of {h:?} s (try a smaller dt)"
-            ),
+            Self::NoConvergence { t, h, iterations, residual } => {
+                write!(
+                    f,
+                    "at t = {t:?} s the loop of the implicit step did not converge in {iterations} iterations \
+                     with a step of {h:?} s: "
+                )?;
+                match residual {
+                    x if !x.is_finite() => f.write_str("it ran away (try a smaller dt)"),
+                    x => write!(
+                        f,
+                        "the last one still changed the state by {x:.1e} of its size (try a smaller dt{})",
+                        if *x < NEARLY { ", or a larger epsilon" } else { "" }
+                    ),
+                }
+            }
             Self::TooManyEvents { t } => write!(
                 f,
                 "at t = {t:?} s events follow one another without time passing: the motion comes to rest at the \

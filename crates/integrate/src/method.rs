@@ -168,6 +168,11 @@ pub trait Stepper<S: Scalar>: Send {
     #[inline(always)]
     fn accept(&mut self, _accepted: S::Mask) {}
 
+    /// How much the last iteration of an implicit step changed the state, relative to its size.
+    fn residual(&self) -> S {
+        S::from(0.0)
+    }
+
     /// The next step starts anywhere.
     fn restart(&mut self) {}
 

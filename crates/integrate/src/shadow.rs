@@ -2,7 +2,7 @@
 
 use crate::methods::{dop853::Dop853, taylor::Taylor};
 use crate::pacer::{Pacer, first_step};
-use crate::{Failure, Method, Options, Samples, Step, Stepper, Tolerance};
+use crate::{Failure, Method, NoConvergence, Options, Samples, Step, Stepper, Tolerance};
 use precess_scalar::{DoubleDouble, Tape, Taylor as Series};
 use precess_system::{Field, Shape};
 use std::ops::ControlFlow;
@@ -96,9 +96,11 @@ impl Shadow<'_> {
                 if attempts.is_multiple_of(BETWEEN_LOOKS) && progress(here).is_break() {
                     return Err(Failure::Interrupted { t: here });
                 }
-                stepper.step(&mut Step { field: &field, t, y: &y, h, out: &mut next }).map_err(|e| {
-                    Failure::NoConvergence { t: here, h: h.to_f64(), iterations: e.iterations }
-                })?;
+                let step = &mut Step { field: &field, t, y: &y, h, out: &mut next };
+                if let Err(NoConvergence { iterations }) = stepper.step(step) {
+                    let (h, residual) = (h.to_f64(), stepper.residual().to_f64());
+                    return Err(Failure::NoConvergence { t: here, h, iterations, residual });
+                }
                 tolerance.weights(&y, &next, &mut weights);
                 let finite = next.iter().all(|x| x.to_f64().is_finite());
                 let error = if finite { stepper.error(h, &weights) } else { DoubleDouble::from(f64::NAN) };

@@ -2,7 +2,7 @@
 
 mod toys;
 
-use precess_integrate::{Pace, Tolerance};
+use precess_integrate::{Failure, Pace, Tolerance};
 use precess_scalar::Scalar;
 use toys::run::{Run, paces, tight};
 use toys::{harmonic, mixed, pendulum};
@@ -116,4 +116,31 @@ fn samples_leave_the_steps_of_an_adaptive_method_alone() {
     let ((few, rows), (many, finer)) = (run(20.0), run(0.01));
     assert_eq!(few.steps, many.steps);
     assert_eq!(rows.last(), finer.last());
+}
+
+#[test]
+fn a_loop_that_does_not_converge_says_how_far_it_is() {
+    let field = harmonic(1.0);
+    let failure = |id, dt| {
+        let run = Run::new(&field, id, &[1.0, 0.0], (10.0 * dt, dt), Pace::Fixed(dt));
+        run.go().0.failure.expect("a step too long")
+    };
+    for id in ["newmark", "implicit_midpoint", "gauss_legendre4", "gauss_legendre6", "gauss_legendre16"] {
+        let failure = failure(id, 40.0);
+        let Failure::NoConvergence { t: 0.0, h: 40.0, residual, .. } = failure else { panic!("{failure:?}") };
+        assert!(residual > 0.1 || !residual.is_finite(), "{id} {residual}");
+    }
+    // Each iteration of newmark turns the position over: x becomes -(h^2 / 6) x, and the rest. At 1.1 the changes grow as the
+    // iterates do, and stay (1 + 1/1.1) times as large; at 0.94 two hundred of them do not suffice.
+    let text = failure("newmark", (6.0_f64 * 1.1).sqrt()).to_string();
+    assert!(text.contains("changed the state by 1.9e0 of its size (try a smaller dt)"), "{text}");
+    let Failure::NoConvergence { residual, .. } = failure("newmark", (6.0_f64 * 0.94).sqrt()) else {
+        panic!("it converged");
+    };
+    let expected = 1.94 * Scalar::powi(0.94_f64, 199);
+    assert!((0.1..10.0).contains(&(residual / expected)), "{residual:e}, not {expected:e}");
+    let text = failure("newmark", (6.0_f64 * 0.94).sqrt()).to_string();
+    assert!(text.ends_with("(try a smaller dt)"), "{text}");
+    let text = failure("newmark", (6.0_f64 * 0.92).sqrt()).to_string();
+    assert!(text.ends_with("(try a smaller dt, or a larger epsilon)"), "{text}");
 }

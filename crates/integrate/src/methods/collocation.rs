@@ -328,6 +328,9 @@ impl<S: Scalar> Stepper<S> for Collocation<S> {
             *carry = S::select(lanes, S::from(0.0), *carry);
         }
     }
+    fn residual(&self) -> S {
+        self.common.settling.residual()
+    }
     fn evaluations(&self) -> u64 {
         self.common.evaluations
     }

@@ -56,6 +56,7 @@ impl Method for EulerCromerImplicit {
             miss: zeros,
             mass: Lu::new(n),
             epsilon: options.epsilon,
+            residual: S::from(0.0),
             evaluations: 0,
         }
     }
@@ -76,6 +77,8 @@ pub struct Steps<S: Scalar> {
     miss: Vec<S>,
     mass: Lu<S>,
     epsilon: f64,
+    /// The last change of the velocities, relative to them.
+    residual: S,
     evaluations: u64,
 }
 
@@ -107,7 +110,10 @@ impl<S: Scalar> Steps<S> {
                 *v = S::select(moving, *v - *miss, *v);
             }
             self.evaluate(tape);
-            moving = moving & !change.sqrt().le(size.sqrt() * self.epsilon);
+            self.residual = (change / size).sqrt();
+            // Nothing is small beside what has run away.
+            let rests = change.sqrt().le(size.sqrt() * self.epsilon) & size.lt(S::from(f64::INFINITY));
+            moving = moving & !rests;
             if S::all(!moving) {
                 return Ok(());
             }
@@ -145,6 +151,9 @@ impl<S: Scalar> Stepper<S> for Steps<S> {
             }
         }
         Ok(())
+    }
+    fn residual(&self) -> S {
+        self.residual
     }
     fn evaluations(&self) -> u64 {
         self.evaluations

@@ -25,6 +25,12 @@ pub(super) const EPSILON_AT_LEAST: OptionCard = OptionCard {
     ..EPSILON
 };
 
+/// A change relative to the state, from the squares of both, a pair a row.
+pub(super) fn relative<S: Scalar>(change: &[S], size: &[S]) -> S {
+    let sum = |squares: &[S]| squares.iter().fold(S::from(0.0), |sum, square| sum + *square);
+    (sum(change) / sum(size)).sqrt()
+}
+
 /// Watches a loop come to rest, row by row: below the tolerance, and no closer than it was `BACK` times ago.
 pub(super) struct Settling<S: Scalar, const BACK: usize> {
     /// A lane that rests is frozen, so that its bits do not depend on its neighbours; a mask a row.
@@ -85,6 +91,11 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
     #[inline(always)]
     pub fn add(&mut self, row: usize, square: S) {
         self.change[row] = self.change[row] + square;
+    }
+
+    /// The last change of all rows together, relative to their sizes.
+    pub fn residual(&self) -> S {
+        relative(&self.before[0].iter().map(|change| change.squared()).collect::<Vec<_>>(), &self.size)
     }
 
     /// The iteration ends; whether everything rests.

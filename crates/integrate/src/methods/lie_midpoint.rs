@@ -155,6 +155,9 @@ impl<S: Scalar> Stepper<S> for Steps<S> {
         }
         Err(NoConvergence { iterations: MOST_ITERATIONS })
     }
+    fn residual(&self) -> S {
+        self.settling.residual()
+    }
     fn evaluations(&self) -> u64 {
         self.evaluations
     }

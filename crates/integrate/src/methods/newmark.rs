@@ -7,7 +7,7 @@
 //! both must rest, relative to the size of the state. On an oscillator the loop diverges for
 //! `omega h > sqrt(6)`. A first-order coordinate follows the velocity's formula, the trapezoid.
 
-use super::fixed_point::{EPSILON, MOST_ITERATIONS};
+use super::fixed_point::{EPSILON, MOST_ITERATIONS, relative};
 use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
 use precess_system::Shape;
@@ -101,7 +101,9 @@ impl<S: Scalar> Stepper<S> for Steps<S> {
             }
             let mut rest = true;
             for ((change, size), moving) in self.change.iter().zip(&self.size).zip(&mut self.moving) {
-                *moving = *moving & !(change.sqrt().le(size.sqrt() * self.epsilon));
+                // Nothing is small beside what has run away.
+                let rests = change.sqrt().le(size.sqrt() * self.epsilon) & size.lt(S::from(f64::INFINITY));
+                *moving = *moving & !rests;
                 rest &= S::all(!*moving);
             }
             if rest {
@@ -109,6 +111,9 @@ impl<S: Scalar> Stepper<S> for Steps<S> {
             }
         }
         Err(NoConvergence { iterations: MOST_ITERATIONS })
+    }
+    fn residual(&self) -> S {
+        relative(&self.change, &self.size)
     }
     fn evaluations(&self) -> u64 {
         self.evaluations
