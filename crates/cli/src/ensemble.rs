@@ -33,18 +33,17 @@ pub fn ensemble(arguments: &args::Ensemble) -> Result<(), Failure> {
     if survey.members() > MANY && !arguments.yes {
         return Err(too_many(&survey, workers)?);
     }
-    let (mut file, mut to_standard_output) =
-        (None, subject.output.is_none() && subject.plot.is_none() && !arguments.hash);
-    let mut checkpoint = Checkpoint::in_memory();
-    match subject.output.as_deref() {
-        None => {}
-        Some(path) if path == Path::new("-") => to_standard_output = true,
+    let place = subject.output.as_deref().filter(|path| *path != Path::new("-"));
+    let nothing_else = subject.output.is_none() && subject.plot.is_none() && !arguments.hash;
+    let to_standard_output = nothing_else || subject.output.is_some() && place.is_none();
+    let (file, mut checkpoint) = match place {
+        None => (None, scratch()?),
         Some(path) if ["csv", "npz"].contains(&suffix(path).as_str()) => {
-            file = Some((Output::create(path)?, suffix(path)));
-            checkpoint = Checkpoint::open(&beside(path), &survey.text())?;
+            let output = Output::create(path)?;
+            (Some((output, suffix(path))), Checkpoint::open(&beside(path), &survey.text())?)
         }
         Some(path) => return Err(unknown_suffix(path, "csv or npz")),
-    }
+    };
     if to_standard_output && arguments.hash {
         return Err(Failure::Wrong(
             "--hash and a table would both write to standard output: choose one".into(),
@@ -65,7 +64,7 @@ pub fn ensemble(arguments: &args::Ensemble) -> Result<(), Failure> {
     });
     progress.finish();
     if !done? {
-        let sentence = match subject.output.as_deref().filter(|_| file.is_some()) {
+        let sentence = match place {
             Some(path) => format!("the same command goes on from '{}'", beside(path).display()),
             None => "with -o FILE.npz it could have gone on later".into(),
         };
@@ -114,6 +113,12 @@ fn beside(path: &Path) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_os_string();
     name.push(".checkpoint");
     path.with_file_name(name)
+}
+
+/// A checkpoint without a name, which goes away with the program: what nobody keeps need not fit the memory either.
+fn scratch() -> Result<Checkpoint, Failure> {
+    let file = tempfile::tempfile().map_err(|e| Failure::of_writing("a temporary file", &e))?;
+    Ok(Checkpoint::scratch(file))
 }
 
 /// What a very large ensemble would cost, from its first members.

@@ -3,6 +3,7 @@
 mod program;
 
 use program::{Folder, err, out, precess, refused, rows};
+use std::process::{Child, Command, Stdio};
 
 #[test]
 fn an_ensemble_is_a_table_of_members_and_its_checkpoint_goes_away() {
@@ -48,4 +49,112 @@ fn an_ensemble_that_makes_no_sense_is_refused_in_a_sentence() {
     .expect("written");
     std::fs::write(folder.file("many.npz.checkpoint"), "something else").expect("written");
     refused(&["ensemble", &file, "-o", &npz], "no checkpoint");
+}
+
+const MANY_SWINGS: &str = "precess = 1\n[system]\nid = \"pendulum\"\n\
+    [run]\nmethod = \"tsit5\"\nrtol = 1e-9\natol = 1e-9\nuntil = 10\nevery = 10\n\
+    [ensemble]\nrandom = { theta = \"-3:3\", theta_dot = \"-1:1\" }\nmembers = 20000\nseed = 7\n";
+
+/// Starts an ensemble that prints its hash.
+fn begun(file: &str, more: &[&str]) -> Child {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_precess"));
+    command.args(["ensemble", file, "--hash", "--quiet"]).args(more);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+/// Bytes in a folder.
+fn bytes(folder: &Folder) -> u64 {
+    let entries = std::fs::read_dir(&folder.0).expect("the folder is there");
+    entries.filter_map(|e| Some(e.ok()?.metadata().ok()?.len())).sum()
+}
+
+/// Killed when so many bytes have been written, whatever they are (the head of the checkpoint, a record, the table), and begun
+/// again: what comes out in the end has the bytes of what was never killed.
+#[test]
+fn what_is_killed_ten_times_ends_with_the_same_bytes() {
+    let (quiet, killed) = (Folder::new("unkilled"), Folder::new("killed"));
+    for folder in [&quiet, &killed] {
+        std::fs::write(folder.file("many.toml"), MANY_SWINGS).expect("written");
+    }
+    let npz = quiet.file("many.npz");
+    let undisturbed = begun(&quiet.file("many.toml"), &["-o", &npz]).wait_with_output().expect("an end");
+    assert!(undisturbed.status.success(), "{}", err(&undisturbed));
+    let table = std::fs::read(&npz).expect("a table");
+
+    let (file, npz) = (killed.file("many.toml"), killed.file("many.npz"));
+    // Knuth's generator of 64 bits; the upper half is taken.
+    let mut state = 5_u64;
+    let mut random = |below: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 32) * below >> 32
+    };
+    let (mut kills, mut resumed) = (0, 0);
+    while kills < 10 {
+        let before = bytes(&killed);
+        resumed += u32::from(killed.names().contains(&"many.npz.checkpoint".to_string()));
+        let enough = before + random(2 * table.len() as u64 / 5);
+        let mut child = begun(&file, &["-o", &npz]);
+        let mut ended = None;
+        while ended.is_none() && bytes(&killed) < enough {
+            ended = child.try_wait().expect("a child");
+            std::thread::yield_now();
+        }
+        match ended {
+            None => {
+                child.kill().expect("killed");
+                let status = child.wait().expect("an end");
+                kills += u32::from(!status.success());
+            }
+            // It was through before it had written so much: from the beginning.
+            Some(_) => std::fs::remove_file(&npz).expect("a table"),
+        }
+    }
+    assert!(resumed > 3, "{resumed}");
+    let last = begun(&file, &["-o", &npz]).wait_with_output().expect("an end");
+    assert!(last.status.success(), "{}", err(&last));
+    assert_eq!(out(&last), out(&undisturbed));
+    assert!(std::fs::read(&npz).expect("a table") == table, "the tables differ");
+    assert!(!killed.names().contains(&"many.npz.checkpoint".to_string()), "{:?}", killed.names());
+}
+
+/// The most memory that an ensemble of so many closed forms has had, in bytes.
+#[cfg(target_os = "linux")]
+fn peak(folder: &Folder, members: u32, more: &[&str]) -> u64 {
+    let text = format!(
+        "precess = 1\n[system]\nid = \"harmonic_oscillator\"\n[run]\nmethod = \"exact\"\nuntil = 1\nevery = 1\n\
+         [ensemble]\nrandom = {{ x = \"-1:1\" }}\nmembers = {members}\nseed = 1\n"
+    );
+    let file = folder.file("flat.toml");
+    std::fs::write(&file, text).expect("written");
+    let mut child = begun(&file, more);
+    let status = format!("/proc/{}/status", child.id());
+    let mut most = 0;
+    let end = loop {
+        // It only grows, and is gone with the program.
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        if let Some(kilobytes) = line.and_then(|l| l.trim().strip_suffix(" kB")?.parse::<u64>().ok()) {
+            most = 1000 * kilobytes;
+        }
+        if let Some(end) = child.try_wait().expect("a child") {
+            break end;
+        }
+        std::thread::yield_now();
+    };
+    assert!(end.success() && most > 0, "{end} {most}");
+    most
+}
+
+/// A table of a million rows is 32 MB; of these not a quarter may lie in memory, wherever the rows go.
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_does_not_grow_with_the_members() {
+    let folder = Folder::new("flat");
+    let npz = folder.file("flat.npz");
+    for more in [&["-o", &npz][..], &[]] {
+        let few = peak(&folder, 10_000, more);
+        let many = peak(&folder, 1_000_000, more);
+        println!("{more:?}: {few} and {many}");
+        assert!(many < few + 8_000_000, "{more:?}: {few} and {many}");
+    }
 }

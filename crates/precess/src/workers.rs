@@ -62,7 +62,8 @@ pub(crate) fn spread<T: Send>(
         return;
     }
     let (next, stop) = (AtomicUsize::new(0), AtomicBool::new(false));
-    let (send, receive) = mpsc::channel();
+    // Whoever takes slowly is not flooded: pieces wait with their threads.
+    let (send, receive) = mpsc::sync_channel(threads);
     std::thread::scope(|scope| {
         for _ in 0..if threads < pieces { threads } else { pieces } {
             let (send, next, stop) = (send.clone(), &next, &stop);

@@ -12,6 +12,7 @@ const MAGIC: &str = "precess checkpoint 1\n";
 
 /// The numbers of chunks, on disk or in memory.
 pub struct Checkpoint {
+    /// The file and its name, which is empty where it has none.
     disk: Option<(File, PathBuf)>,
     /// Where the numbers of a chunk begin, and how many there are.
     places: BTreeMap<usize, (u64, usize)>,
@@ -31,6 +32,11 @@ impl Checkpoint {
     /// In memory: nothing is left of it.
     pub fn in_memory() -> Self {
         Self { disk: None, places: BTreeMap::new(), memory: BTreeMap::new(), end: 0 }
+    }
+
+    /// In an empty file that nobody will take up again, such as one that goes away with the program.
+    pub fn scratch(file: File) -> Self {
+        Self { disk: Some((file, PathBuf::new())), ..Self::in_memory() }
     }
 
     /// In a file, which is made where there is none, and taken up where it belongs to the same ensemble.
