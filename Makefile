@@ -54,6 +54,12 @@ bench: $(PRECESS)
 	  else for form in plain shared warm; do set -- "$$@" --peer "heyoka-$$form=$(HEYOKA) $$form"; done; fi; \
 	done; \
 	$(PRECESS) bench $(BENCH) "$$@"
+	@if $(BENCH_PYTHON) -B -c "import heyoka" 2>/dev/null; then \
+	  $(BENCH_PYTHON) -B benches/magnets/heyoka_basins.py $(PRECESS) && $(BENCH_PYTHON) -B benches/tops/heyoka_cone.py $(PRECESS); \
+	else echo "precess: basins and a long top beside heyoka are skipped, since $(BENCH_PYTHON) does not have it" >&2; fi
+	@if $(BENCH_PYTHON) -B -c "import numpy" 2>/dev/null; then \
+	  $(BENCH_PYTHON) -B benches/bodies/three_bodies.py $(PRECESS); \
+	else echo "precess: three bodies are skipped, since $(BENCH_PYTHON) does not have numpy" >&2; fi
 	@if $(BENCH_PYTHON) -B -c "import mujoco" 2>/dev/null; then \
 	  $(BENCH_PYTHON) -B benches/tops/mujoco_tops.py $(PRECESS); \
 	else echo "precess: mujoco is skipped, since $(BENCH_PYTHON) does not have it (see benches/peers/README.md)" >&2; fi
