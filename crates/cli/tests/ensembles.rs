@@ -76,12 +76,12 @@ fn what_is_killed_ten_times_ends_with_the_same_bytes() {
     for folder in [&quiet, &killed] {
         std::fs::write(folder.file("many.toml"), MANY_SWINGS).expect("written");
     }
-    let npz = quiet.file("many.npz");
-    let undisturbed = begun(&quiet.file("many.toml"), &["-o", &npz]).wait_with_output().expect("an end");
+    let csv = quiet.file("many.csv");
+    let undisturbed = begun(&quiet.file("many.toml"), &["-o", &csv]).wait_with_output().expect("an end");
     assert!(undisturbed.status.success(), "{}", err(&undisturbed));
-    let table = std::fs::read(&npz).expect("a table");
+    let table = std::fs::read(&csv).expect("a table");
 
-    let (file, npz) = (killed.file("many.toml"), killed.file("many.npz"));
+    let (file, csv) = (killed.file("many.toml"), killed.file("many.csv"));
     // Knuth's generator of 64 bits; the upper half is taken.
     let mut state = 5_u64;
     let mut random = |below: u64| {
@@ -91,9 +91,9 @@ fn what_is_killed_ten_times_ends_with_the_same_bytes() {
     let (mut kills, mut resumed) = (0, 0);
     while kills < 10 {
         let before = bytes(&killed);
-        resumed += u32::from(killed.names().contains(&"many.npz.checkpoint".to_string()));
-        let enough = before + random(2 * table.len() as u64 / 5);
-        let mut child = begun(&file, &["-o", &npz]);
+        resumed += u32::from(killed.names().contains(&"many.csv.checkpoint".to_string()));
+        let enough = before + random(table.len() as u64 / 4);
+        let mut child = begun(&file, &["-o", &csv]);
         let mut ended = None;
         while ended.is_none() && bytes(&killed) < enough {
             ended = child.try_wait().expect("a child");
@@ -106,15 +106,15 @@ fn what_is_killed_ten_times_ends_with_the_same_bytes() {
                 kills += u32::from(!status.success());
             }
             // It was through before it had written so much: from the beginning.
-            Some(_) => std::fs::remove_file(&npz).expect("a table"),
+            Some(_) => std::fs::remove_file(&csv).expect("a table"),
         }
     }
     assert!(resumed > 3, "{resumed}");
-    let last = begun(&file, &["-o", &npz]).wait_with_output().expect("an end");
+    let last = begun(&file, &["-o", &csv]).wait_with_output().expect("an end");
     assert!(last.status.success(), "{}", err(&last));
     assert_eq!(out(&last), out(&undisturbed));
-    assert!(std::fs::read(&npz).expect("a table") == table, "the tables differ");
-    assert!(!killed.names().contains(&"many.npz.checkpoint".to_string()), "{:?}", killed.names());
+    assert!(std::fs::read(&csv).expect("a table") == table, "the tables differ");
+    assert!(!killed.names().contains(&"many.csv.checkpoint".to_string()), "{:?}", killed.names());
 }
 
 /// The most memory that an ensemble of so many closed forms has had, in bytes.
