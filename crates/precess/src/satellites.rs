@@ -14,6 +14,8 @@ use std::ops::ControlFlow;
 /// Methods whose steps know of no other number than those an equation holds: no iteration, no error norm.
 const EXPLICIT: [&str; 8] =
     ["euler", "euler_taylor", "euler_cromer", "verlet", "yoshida4", "yoshida6", "yoshida8", "rk4"];
+/// Satellites of a part: the rest of the system, which every part computes anew, then costs little beside them.
+const COUNT: usize = 8;
 /// Parts whose samples are held at once.
 const TOGETHER: usize = 512;
 /// Lots of samples in which a run is recorded.
@@ -26,9 +28,10 @@ pub(crate) fn of(plan: &Plan) -> Option<Satellites> {
         return None;
     }
     let fits = matches!(plan.step, Step::Fixed(_)) && EXPLICIT.contains(&plan.method.card().id);
-    let satellites = plan.system.satellites(&plan.values)?;
-    let parts = plan.layout.coordinates.len() - satellites.rest;
-    (fits && plan.watches.is_empty() && parts > 0).then_some(satellites)
+    let Satellites { rest, each, .. } = plan.system.satellites(&plan.values, COUNT)?;
+    let all = (plan.layout.coordinates.len() - rest) / each;
+    let fits = fits && plan.watches.is_empty() && all > 0;
+    fits.then(|| plan.system.satellites(&plan.values, COUNT.min(all))).flatten()
 }
 
 /// Time and state of every sample, in the first columns of rows of this width. Nothing where some part does not come
@@ -38,22 +41,24 @@ pub(crate) fn of(plan: &Plan) -> Option<Satellites> {
 /// that is interrupted keeps it.
 pub(crate) fn run(
     plan: &Plan,
-    Satellites { rest, each, one }: &Satellites,
+    Satellites { rest, each, values }: &Satellites,
     width: usize,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<(Report, Vec<f64>)> {
-    let layout = plan.system.layout(one, &Given::default());
-    let structure = precess_system::structure(plan.system, one, &layout);
+    let layout = plan.system.layout(values, &Given::default());
+    let structure = precess_system::structure(plan.system, values, &layout);
     let workers = Workers::chosen().unwrap_or_else(|_| Workers::all());
-    let (coordinates, small) = (plan.layout.coordinates.len(), rest + each);
-    let parts = (coordinates - rest) / each;
-    // Where the numbers of a part with the rest stand in a row.
+    let (coordinates, small) = (plan.layout.coordinates.len(), layout.coordinates.len());
+    let (all, count) = ((coordinates - rest) / each, (small - rest) / each);
+    let parts = all.div_ceil(count);
+    // Where the numbers of a part with the rest stand in a row. The last part repeats the last satellite.
     let place = |part: usize, j: usize| {
         let (half, j) = (j / small * coordinates, j % small);
-        1 + half + if j < *rest { j } else { rest + part * each + (j - rest) }
+        let satellite = |k: usize| rest + (part * count + k / each).min(all - 1) * each + k % each;
+        1 + half + if j < *rest { j } else { satellite(j - rest) }
     };
     let first: Vec<f64> = (0..2 * small).map(|j| plan.start[place(0, j) - 1]).collect();
-    let alone = Plan { values: one.clone(), layout, structure, start: first.clone(), ..plan.clone() };
+    let alone = Plan { values: values.clone(), layout, structure, start: first.clone(), ..plan.clone() };
 
     // One part tells how many steps there are.
     let whole = Samples::new(plan.until, plan.every);
