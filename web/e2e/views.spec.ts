@@ -243,10 +243,36 @@ test("a profile is drawn and becomes the body, which the link keeps", async ({ p
   // On a table a hollow one is refused, in the core's words, and the last good run stays.
   await choose(page, "sliding_body");
   const before = await hashOf(page);
-  await page.locator("[data-slice='6']").fill("20");
+  await page.locator("[data-slice='6']").fill("22");
   await expect.poll(async () => (await hashOf(page)) !== before).toBe(true);
   const good = await hashOf(page);
   await page.locator("[data-slice='6']").fill("2");
   await expect(page.getByRole("alert")).toContainText("hollow");
   expect(await hashOf(page)).toBe(good);
+});
+
+test("measured points lie over the graphs, until another system is opened", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "pendulum");
+  const bare = await drawing(page, "[data-graph='2']");
+  await page.locator("[data-take] summary").click();
+  const put = (text: string) =>
+    page
+      .locator("[data-open]")
+      .setInputFiles({ name: "swing.csv", mimeType: "text/csv", buffer: Buffer.from(text) });
+  await put("t;angle\n0;1\n");
+  await expect(page.getByRole("status")).toContainText("theta, theta_dot");
+  await put("t;theta [rad]\n0;0,5\n1;-0,25\n2,5;0,125\n");
+  await expect(page.locator("[data-measured]")).toContainText("swing.csv");
+  await expect.poll(() => drawing(page, "[data-graph='2']")).not.toBe(bare);
+  expect(await barriers(page)).toEqual([]);
+  const svg = (await taken(page, "[data-graph-svg='2']")).bytes.toString();
+  expect(svg.match(/A3 3 0 1 1 [^Z]*Z/g)).toHaveLength(3);
+  await page.locator("[data-measured] button").click();
+  await expect.poll(() => drawing(page, "[data-graph='2']")).toBe(bare);
+  await put("t,theta\n0,1\n");
+  await expect(page.locator("[data-measured]")).toBeVisible();
+  await choose(page, "duffing");
+  await expect(page.locator("[data-measured]")).toHaveCount(0);
 });

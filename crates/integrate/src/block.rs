@@ -96,8 +96,8 @@ where
             }
             going.contains(&true)
         };
-        let mut going = tell(0, &y);
-        for sample in 1..=self.samples.last() {
+        let mut going = tell(self.samples.first(), &y);
+        for sample in self.samples.first() + 1..=self.samples.last() {
             if !going {
                 break;
             }

@@ -64,11 +64,11 @@ impl<'a> Engine<'a> {
             run,
             stepper: Steps::<f64>::stepper(run.method, run.field.shape(), &run.options),
             scanner: Scanner::new(run.field, run.directions, run.watches),
-            t: 0.0,
+            t: run.samples.time(run.samples.first()),
             y: run.start.to_vec(),
             next: run.start.to_vec(),
             sample: vec![0.0; run.start.len()],
-            due: 1,
+            due: run.samples.first() + 1,
             jumps: vec![],
             restarts: 0,
             limit: f64::INFINITY,
@@ -95,11 +95,11 @@ impl<'a> Engine<'a> {
     }
 
     fn go(&mut self) -> Flow {
-        (self.record)(0.0, &self.y);
+        (self.record)(self.t, &self.y);
         if !self.y.iter().all(|x| x.is_finite()) {
-            return fail(Failure::Diverged { t: 0.0 });
+            return fail(Failure::Diverged { t: self.t });
         }
-        if self.run.samples.last() == 0 {
+        if self.run.samples.last() == self.run.samples.first() {
             return ControlFlow::Continue(());
         }
         self.scanner.begin(self.t, &self.y);

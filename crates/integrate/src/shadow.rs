@@ -80,8 +80,8 @@ impl Shadow<'_> {
         let mut y: Vec<DoubleDouble> = self.start.iter().map(|x| DoubleDouble::from(*x)).collect();
         let (mut next, mut weights) = (y.clone(), y.clone());
         let mut pacer = Pacer::new(order, first_step(&field, &tolerance, order, &y, until));
-        let (mut t, mut attempts) = (DoubleDouble::from(0.0), 0_u64);
-        for sample in 0..=self.samples.last() {
+        let (mut t, mut attempts) = (DoubleDouble::from(self.samples.time(self.samples.first())), 0_u64);
+        for sample in self.samples.first()..=self.samples.last() {
             let target = DoubleDouble::from(self.samples.time(sample));
             while t != target {
                 let (h, end) = pacer.next(t, target);

@@ -108,7 +108,7 @@ impl<S: Lanes> Places<S> {
         Self {
             members: vec![None; S::LANES],
             busy: 0,
-            due: vec![1; S::LANES],
+            due: vec![0; S::LANES],
             begun: vec![0; S::LANES],
             t: end_of_run,
             single: vec![0.0; zeros.len()],
@@ -128,15 +128,15 @@ impl<S: Lanes> SideBySide<'_, '_, S> {
     /// Gives the next starts to lanes whose trajectories are over.
     #[inline(always)]
     fn refill(&mut self, at: &mut Places<S>, over: u32, attempts: u64, until: f64) {
-        let mut fresh = 0;
+        let (mut fresh, first) = (0, self.samples.first());
         for lane in (0..S::LANES).filter(|lane| over >> lane & 1 == 1) {
             at.members[lane] = None;
             while let Some(member) = self.roster.next(&mut at.single) {
-                if !self.roster.sample(0, member, &at.single) {
+                if !self.roster.sample(first, member, &at.single) {
                     continue;
                 }
                 at.members[lane] = Some(member);
-                (at.due[lane], at.begun[lane]) = (1, attempts);
+                (at.due[lane], at.begun[lane]) = (first + 1, attempts);
                 for (y, x) in at.y.iter_mut().zip(&at.single) {
                     y.lanes_mut()[lane] = *x;
                 }
@@ -149,7 +149,7 @@ impl<S: Lanes> SideBySide<'_, '_, S> {
         at.t = S::select(mask::<S>(at.busy), at.t, S::from(until));
         if fresh != 0 {
             let fresh = mask::<S>(fresh);
-            at.t = S::select(fresh, S::from(0.0), at.t);
+            at.t = S::select(fresh, S::from(self.samples.time(first)), at.t);
             let first = first_step(self.field, self.tolerance, self.order, &at.y, until);
             at.pacer.begin(fresh, first);
             self.stepper.begin(fresh);

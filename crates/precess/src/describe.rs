@@ -18,7 +18,7 @@ pub fn equations(system: &dyn AnySystem, notation: Notation) -> Equations {
     let card = system.card();
     let values = Values::defaults(&card);
     // Of a swarm, one.
-    let values = system.satellites(&values).map_or(values, |parts| parts.one);
+    let values = system.satellites(&values, 1).map_or(values, |parts| parts.values);
     let layout = system.layout(&values, &precess_system::Given::default());
     let tape = record(system, &values, &layout);
     let printed = tape.simplified().print(&names(&card, &values, &layout, notation), notation);

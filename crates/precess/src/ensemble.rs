@@ -25,10 +25,22 @@ pub fn ensemble(
     workers: Workers,
     progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Result<Members, Error> {
+    ensemble_between(plan, starts, Samples::new(plan.until, plan.every), keep, workers, progress)
+}
+
+/// The same over some of the plan's samples: the starts are states at the first of them.
+pub(crate) fn ensemble_between(
+    plan: &Plan,
+    starts: &[f64],
+    samples: Samples,
+    keep: Keep,
+    workers: Workers,
+    progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
+) -> Result<Members, Error> {
     if !plan.watches.is_empty() {
         return input("an ensemble watches no events: leave [[event]] out, or run its members one by one");
     }
-    with_lanes!(workers.isa, S => Ok(Work::<S>::new(plan, starts, keep).done_by(workers.threads, progress)))
+    with_lanes!(workers.isa, S => Ok(Work::<S>::new(plan, starts, samples, keep).done_by(workers.threads, progress)))
 }
 
 /// The work that threads share.
@@ -52,10 +64,9 @@ where
     dyn AnySystem: Bind<S>,
     dyn AnyMethod: Steps<S>,
 {
-    fn new(plan: &'a Plan, starts: &'a [f64], keep: Keep) -> Self {
-        let samples = Samples::new(plan.until, plan.every);
+    fn new(plan: &'a Plan, starts: &'a [f64], samples: Samples, keep: Keep) -> Self {
         let field = Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout);
-        Self { plan, starts, samples, keep, pace: pace(plan), field, runner: Runner::new(plan) }
+        Self { plan, starts, samples, keep, pace: pace(plan), field, runner: Runner::new(plan).over(samples) }
     }
 
     fn full(&self) -> usize {
@@ -65,7 +76,7 @@ where
         self.starts.len() / self.full()
     }
     fn kept(&self) -> usize {
-        if self.keep == Keep::Last { 1 } else { self.samples.last() as usize + 1 }
+        if self.keep == Keep::Last { 1 } else { (self.samples.last() - self.samples.first()) as usize + 1 }
     }
     /// Numbers kept of a member.
     fn size(&self) -> usize {
@@ -105,8 +116,10 @@ where
         let mut members = Members {
             state: self.plan.layout.shape().state(),
             times: match self.keep {
-                Keep::Last => vec![self.plan.until],
-                Keep::Samples => (0..=self.samples.last()).map(|k| self.samples.time(k)).collect(),
+                Keep::Last => vec![self.samples.time(self.samples.last())],
+                Keep::Samples => {
+                    (self.samples.first()..=self.samples.last()).map(|k| self.samples.time(k)).collect()
+                }
             },
             numbers: Vec::with_capacity(self.members() * self.size()),
             failures: vec![],
@@ -142,7 +155,7 @@ where
     fn keep(&self, sample: u64, y: &[f64], numbers: &mut [f64]) {
         let state = self.plan.layout.shape().state();
         let place = match self.keep {
-            Keep::Samples => sample as usize,
+            Keep::Samples => (sample - self.samples.first()) as usize,
             Keep::Last if sample == self.samples.last() => 0,
             Keep::Last => return,
         };
@@ -168,7 +181,7 @@ where
 
     fn alone(&self, member: usize, numbers: &mut [f64]) -> Option<Failure> {
         numbers.fill(f64::NAN);
-        let mut sample = 0;
+        let mut sample = self.samples.first();
         let report = self.runner.drive(
             &self.starts[member * self.full()..][..self.full()],
             &mut |_, y| {

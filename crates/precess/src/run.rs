@@ -42,12 +42,19 @@ pub struct Outcome {
 /// A plan's system, ready to be driven from any start.
 pub(crate) struct Runner<'a> {
     plan: &'a Plan,
+    samples: Samples,
     field: Box<dyn Field<f64>>,
 }
 
 impl<'a> Runner<'a> {
     pub fn new(plan: &'a Plan) -> Self {
-        Self { plan, field: Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout) }
+        let field = Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout);
+        Self { plan, samples: Samples::new(plan.until, plan.every), field }
+    }
+
+    /// Over some of the plan's samples.
+    pub fn over(self, samples: Samples) -> Self {
+        Self { samples, ..self }
     }
 
     /// The system, bound.
@@ -70,7 +77,7 @@ impl<'a> Runner<'a> {
             method: plan.method,
             options: plan.options.clone(),
             start,
-            samples: Samples::new(plan.until, plan.every),
+            samples: self.samples,
             pace: pace(plan),
             directions: &directions,
             watches: &watches,

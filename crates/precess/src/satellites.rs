@@ -2,20 +2,24 @@
 //! with the rest of the system, in blocks, with the bits that all have together.
 
 use crate::catalogue;
-use crate::ensemble::ensemble;
+use crate::ensemble::ensemble_between;
 use crate::members::Keep;
 use crate::plan::{Plan, Step};
 use crate::run::Runner;
 use crate::workers::Workers;
-use precess_integrate::{Failure, Report};
+use precess_integrate::{Failure, Report, Samples};
 use precess_system::{Given, Satellites};
 use std::ops::ControlFlow;
 
 /// Methods whose steps know of no other number than those an equation holds: no iteration, no error norm.
 const EXPLICIT: [&str; 8] =
     ["euler", "euler_taylor", "euler_cromer", "verlet", "yoshida4", "yoshida6", "yoshida8", "rk4"];
+/// Satellites of a part: the rest of the system, which every part computes anew, then costs little beside them.
+const COUNT: usize = 8;
 /// Parts whose samples are held at once.
 const TOGETHER: usize = 512;
+/// Lots of samples in which a run is recorded.
+const LOTS: u64 = 64;
 
 /// The parts of a plan's system, where they can be computed one by one.
 pub(crate) fn of(plan: &Plan) -> Option<Satellites> {
@@ -24,75 +28,100 @@ pub(crate) fn of(plan: &Plan) -> Option<Satellites> {
         return None;
     }
     let fits = matches!(plan.step, Step::Fixed(_)) && EXPLICIT.contains(&plan.method.card().id);
-    let satellites = plan.system.satellites(&plan.values)?;
-    let parts = plan.layout.coordinates.len() - satellites.rest;
-    (fits && plan.watches.is_empty() && parts > 0).then_some(satellites)
+    let Satellites { rest, each, .. } = plan.system.satellites(&plan.values, COUNT)?;
+    let all = (plan.layout.coordinates.len() - rest) / each;
+    let fits = fits && plan.watches.is_empty() && all > 0;
+    fits.then(|| plan.system.satellites(&plan.values, COUNT.min(all))).flatten()
 }
 
 /// Time and state of every sample, in the first columns of rows of this width. Nothing where some part does not come
 /// through: the run as a whole then tells when and why.
+///
+/// All parts are taken from sample to sample, some samples at a time: what is recorded is where they go on from, and a run
+/// that is interrupted keeps it.
 pub(crate) fn run(
     plan: &Plan,
-    Satellites { rest, each, one }: &Satellites,
+    Satellites { rest, each, values }: &Satellites,
     width: usize,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<(Report, Vec<f64>)> {
-    let layout = plan.system.layout(one, &Given::default());
-    let structure = precess_system::structure(plan.system, one, &layout);
+    let layout = plan.system.layout(values, &Given::default());
+    let structure = precess_system::structure(plan.system, values, &layout);
     let workers = Workers::chosen().unwrap_or_else(|_| Workers::all());
-    let (coordinates, small) = (plan.layout.coordinates.len(), rest + each);
-    let parts = (coordinates - rest) / each;
-    // Where the numbers of a part with the rest stand among all.
+    let (coordinates, small) = (plan.layout.coordinates.len(), layout.coordinates.len());
+    let (all, count) = ((coordinates - rest) / each, (small - rest) / each);
+    let parts = all.div_ceil(count);
+    // Where the numbers of a part with the rest stand in a row. The last part repeats the last satellite.
     let place = |part: usize, j: usize| {
         let (half, j) = (j / small * coordinates, j % small);
-        half + if j < *rest { j } else { rest + part * each + (j - rest) }
+        let satellite = |k: usize| rest + (part * count + k / each).min(all - 1) * each + k % each;
+        1 + half + if j < *rest { j } else { satellite(j - rest) }
     };
-    let start = |part: usize| (0..2 * small).map(move |j| plan.start[place(part, j)]);
+    let first: Vec<f64> = (0..2 * small).map(|j| plan.start[place(0, j) - 1]).collect();
+    let alone = Plan { values: values.clone(), layout, structure, start: first.clone(), ..plan.clone() };
 
-    let first: Vec<f64> = start(0).collect();
-    let alone = Plan { values: one.clone(), layout, structure, start: first.clone(), ..plan.clone() };
-
-    // The start is all that every part has come to where the work ends early.
-    let interrupted = |report| {
-        let mut row = vec![0.0; width];
-        row[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
-        Some((Report { failure: Some(Failure::Interrupted { t: 0.0 }), ..report }, row))
+    // One part tells how many steps there are.
+    let whole = Samples::new(plan.until, plan.every);
+    let steps = |samples: Samples, progress: &mut dyn FnMut(f64) -> ControlFlow<()>| {
+        Runner::new(&alone).over(samples).drive(&first, &mut |_, _| {}, progress)
     };
-    let mut times = vec![];
-    let mut share = |t| progress(t / parts as f64);
-    let report = Runner::new(&alone).drive(&first, &mut |t, _| times.push(t), &mut share);
+    let mut rows = vec![f64::NAN; width];
+    rows[0] = whole.time(0);
+    rows[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
+    let report = steps(whole, &mut |t| progress(t / parts as f64));
     match report.failure {
         None => {}
-        Some(Failure::Interrupted { .. }) => return interrupted(report),
+        Some(Failure::Interrupted { .. }) => return Some((interrupted(report, 0.0), rows)),
         Some(_) => return None,
     }
-    let mut rows = vec![f64::NAN; times.len() * width];
-    for (row, t) in rows.chunks_mut(width).zip(&times) {
-        row[0] = *t;
-    }
-    for from in (0..parts).step_by(TOGETHER) {
-        let some = from..(from + TOGETHER).min(parts);
-        let starts: Vec<f64> = some.clone().flat_map(start).collect();
-        let mut ended = false;
-        let mut look = |done| {
-            let answer = progress(plan.until * (from + done) as f64 / parts as f64);
-            ended |= answer.is_break();
-            answer
-        };
-        let members = ensemble(&alone, &starts, Keep::Samples, workers, &mut look).ok()?;
-        if ended {
-            return interrupted(report);
-        }
-        if !members.failures.is_empty() {
-            return None;
-        }
-        for (k, part) in some.enumerate() {
-            for (row, state) in rows.chunks_mut(width).zip(members.member(k).chunks(2 * small)) {
-                for (j, x) in state.iter().enumerate() {
-                    row[1 + place(part, j)] = *x;
+    rows.resize((whole.last() as usize + 1) * width, f64::NAN);
+    for from in (0..whole.last()).step_by(stride(whole)) {
+        let to = (from + stride(whole) as u64).min(whole.last());
+        let stretch = whole.between(from, to);
+        let (known, new) = rows.split_at_mut((from as usize + 1) * width);
+        let now = &known[from as usize * width..];
+        let (begin, length) = (whole.time(from), whole.time(to) - whole.time(from));
+        for group in (0..parts).step_by(TOGETHER) {
+            let some = group..(group + TOGETHER).min(parts);
+            let starts: Vec<f64> =
+                some.clone().flat_map(|part| (0..2 * small).map(move |j| now[place(part, j)])).collect();
+            let mut ended = false;
+            let mut look = |done| {
+                let answer = progress(begin + length * (group + done) as f64 / parts as f64);
+                ended |= answer.is_break();
+                answer
+            };
+            let members =
+                ensemble_between(&alone, &starts, stretch, Keep::Samples, workers, &mut look).ok()?;
+            if ended {
+                rows.truncate((from as usize + 1) * width);
+                let report = steps(whole.between(0, from), &mut |_| ControlFlow::Continue(()));
+                return Some((interrupted(report, begin), rows));
+            }
+            if !members.failures.is_empty() {
+                return None;
+            }
+            for (k, part) in some.enumerate() {
+                let states = members.member(k).chunks(2 * small).skip(1);
+                for (row, state) in new.chunks_mut(width).zip(states) {
+                    for (j, x) in state.iter().enumerate() {
+                        row[place(part, j)] = *x;
+                    }
                 }
             }
         }
+        for (k, row) in new.chunks_mut(width).take((to - from) as usize).enumerate() {
+            row[0] = whole.time(from + 1 + k as u64);
+        }
     }
     Some((report, rows))
+}
+
+/// Samples that are taken at once: a part is set up again for each lot.
+fn stride(whole: Samples) -> usize {
+    whole.last().div_ceil(LOTS).max(1) as usize
+}
+
+fn interrupted(report: Report, t: f64) -> Report {
+    Report { failure: Some(Failure::Interrupted { t }), ..report }
 }

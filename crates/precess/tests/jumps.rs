@@ -181,19 +181,34 @@ fn two_bodies_keep_their_osculating_elements() {
     assert!(drift(&orbit, "a01") < 1e-8 && drift(&orbit, "e01") < 1e-8);
 }
 
+/// Whatever is asked for is asked at looks: a run that is interrupted at one of them has the samples of all before.
 #[test]
-fn an_interrupted_cluster_keeps_its_start() {
-    let plan = Plan::new(&scenario("cluster", &[("--method", "rk4"), ("--dt", "0.01")])).expect("a plan");
-    let mut looks = 0;
-    let outcome = run(&plan, &mut |_| {
-        looks += 1;
-        if looks < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
-    });
-    assert_eq!(looks, 3, "nothing is asked after the end");
-    assert!(matches!(outcome.failure, Some(Failure::Interrupted { .. })), "{:?}", outcome.failure);
-    let rows: Vec<_> = outcome.trajectory.rows().collect();
-    assert_eq!(rows.len(), 1);
-    assert_eq!(rows[0][1..=plan.start.len()], plan.start[..]);
+fn an_interrupted_cluster_keeps_what_is_done() {
+    let settings = [("--method", "rk4"), ("--dt", "0.01"), ("--until", "4"), ("--every", "0.25")];
+    let plan = Plan::new(&scenario("cluster", &settings)).expect("a plan");
+    let broken_at = |last: usize| {
+        let mut looks = 0;
+        let outcome = run(&plan, &mut |_| {
+            looks += 1;
+            if looks < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        });
+        (looks, outcome)
+    };
+    let (all, whole) = broken_at(usize::MAX);
+    let mut kept = vec![];
+    for last in [1, all / 3, all / 2, all - 1] {
+        let (looks, part) = broken_at(last);
+        assert_eq!(looks, last, "nothing is asked after the end");
+        let rows = part.trajectory.rows().count();
+        assert_eq!(part.trajectory.numbers, whole.trajectory.numbers[..part.trajectory.numbers.len()]);
+        let t = 0.25 * (rows - 1) as f64;
+        assert_eq!(part.failure, Some(Failure::Interrupted { t }));
+        if last > 1 {
+            assert_eq!(part.provenance.steps, whole.provenance.steps * (rows as u64 - 1) / 16);
+        }
+        kept.push(rows);
+    }
+    assert!(kept.is_sorted() && kept[0] == 1 && kept[1] > 3 && kept[3] == 16, "{kept:?}");
 }
 
 /// The asteroids run in lanes and threads, part by part: the bits are those of all together.

@@ -55,7 +55,7 @@ pub trait AnySystem:
     /// See [`System::trouble`]; at a full state.
     fn trouble(&self, values: &Values<f64>, layout: &Layout, t: f64, y: &[f64]) -> Option<String>;
     /// See [`System::satellites`].
-    fn satellites(&self, values: &Values<f64>) -> Option<Satellites>;
+    fn satellites(&self, values: &Values<f64>, count: usize) -> Option<Satellites>;
     /// See [`System::solvable`]; from a full state.
     ///
     /// # Errors
@@ -87,8 +87,8 @@ impl<M: System> AnySystem for M {
         System::trouble(self, &bound.state(t, y))
     }
 
-    fn satellites(&self, values: &Values<f64>) -> Option<Satellites> {
-        System::satellites(self, values)
+    fn satellites(&self, values: &Values<f64>, count: usize) -> Option<Satellites> {
+        System::satellites(self, values, count)
     }
 
     fn solvable(&self, values: &Values<f64>, layout: &Layout, start: &[f64]) -> Result<(), String> {

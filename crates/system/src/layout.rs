@@ -168,7 +168,7 @@ impl Shape {
     }
     /// What is in no pair: first-order coordinates, and modes.
     pub fn singles(&self) -> impl Iterator<Item = usize> + '_ {
-        let first_order = (0..self.coordinates).filter(|i| !self.second.contains(i));
+        let first_order = (0..self.coordinates).filter(|i| self.second.binary_search(i).is_err());
         let of_row: Vec<usize> = first_order.chain(self.state()..self.full()).collect();
         (0..self.rows).flat_map(move |row| of_row.clone().into_iter().map(move |j| self.place(row, j)))
     }

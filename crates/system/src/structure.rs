@@ -51,7 +51,7 @@ pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) 
     }
     let marks = dy.iter().chain(&crossings).fold(0, |all, d| all | d.marks());
     let resting = dy[shape.state()..].iter().map(|d| *d == Dependence::from(0.0)).collect();
-    let has_velocity = |i| shape.second.contains(&i);
+    let has_velocity = |i| shape.second.binary_search(&i).is_ok();
     Structure {
         second_order: shape.is_second_order(),
         velocity_enters: marks & VELOCITY != 0,

@@ -21,8 +21,8 @@ pub struct Satellites {
     pub rest: usize,
     /// The coordinates of a part.
     pub each: usize,
-    /// The parameters of the rest with one part.
-    pub one: Values<f64>,
+    /// The parameters of the rest with the parts that were asked for.
+    pub values: Values<f64>,
 }
 
 /// A mechanical system, written once for every number.
@@ -67,8 +67,8 @@ pub trait System: Clone + Send + Sync + 'static {
         false
     }
 
-    /// Whether part of the system moves nothing else, so that it can be computed piece by piece.
-    fn satellites(&self, _values: &Values<f64>) -> Option<Satellites> {
+    /// Whether parts of the system move nothing else, so that it can be computed with `count` of them at a time.
+    fn satellites(&self, _values: &Values<f64>, _count: usize) -> Option<Satellites> {
         None
     }
 

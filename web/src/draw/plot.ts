@@ -15,6 +15,8 @@ export interface Curve {
 
 export interface Plot {
   curves: Curve[];
+  /** Points without lines: what was measured. */
+  points?: Curve[];
   x: string;
   /** A name a curve, in its colour. */
   y: string[];
@@ -38,8 +40,9 @@ export const uy = (f: Frame, p: number) => f.y[0] + ((f.bottom - p) / (f.bottom 
 
 function frameOf(plot: Plot, w: number, h: number, snug: boolean): Frame {
   const [left, top, right, bottom] = [58, 20, w - 12, h - 34];
-  let x = rangeOf(plot.curves.map((curve) => curve.x));
-  let y = rangeOf(plot.curves.map((curve) => curve.y));
+  const all = [...plot.curves, ...(plot.points ?? [])];
+  let x = rangeOf(all.map((curve) => curve.x));
+  let y = rangeOf(all.map((curve) => curve.y));
   if (snug) {
     const air = ((x[1] - x[0]) * 0.05) / 1.1;
     x = [x[0] + air, x[1] - air];
@@ -101,6 +104,16 @@ export function drawPlot(
     pen.globalAlpha = 1;
     pen.strokeStyle = ink.curves[curve.colour % ink.curves.length] ?? ink.ink;
     trace(pen, f, curve, byTime, 0, horizon);
+  }
+  pen.setLineDash([]);
+  for (const { x, y, colour } of plot.points ?? []) {
+    pen.strokeStyle = colour === 0 ? ink.accent : (ink.curves[colour % ink.curves.length] ?? ink.ink);
+    pen.lineWidth = 1.2 * ink.weight;
+    x.forEach((at, k) => {
+      pen.beginPath();
+      pen.arc(px(f, at), py(f, y[k] ?? NaN), 3, 0, 2 * Math.PI);
+      pen.stroke();
+    });
   }
   pen.restore();
   return f;

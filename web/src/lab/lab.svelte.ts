@@ -8,6 +8,7 @@ import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
 import { listed } from "./groups";
 import { remember, remembered } from "./memory";
+import type { Measured } from "./measured";
 import { inField, shown, type Language } from "./number";
 import { Look } from "./result";
 import { Cancelled, Refusal, Runner, type Done } from "./runner";
@@ -67,6 +68,8 @@ export class Lab {
   trusted = $state.raw<{ look: Look; samples: number } | undefined>(undefined);
   /** The first sample of the run at hand that cannot be trusted; infinity where none is known. */
   horizon = $derived(this.trusted && this.trusted.look === this.look ? this.trusted.samples : Infinity);
+  /** What was measured, to be held against the run. */
+  measured = $state.raw<Measured | undefined>(undefined);
   /** Of the bodies that are too many for a list, the one at hand. */
   group = $state("");
 
@@ -237,7 +240,10 @@ export class Lab {
       if (scenario !== this.scenario) return;
       this.look = new Look({ ...done, scenario });
       this.refusal = undefined;
-      if (fresh) this.speed = pace(this.look.times);
+      if (fresh) {
+        this.speed = pace(this.look.times);
+        this.measured = undefined;
+      }
       const ends = [this.look.times[0] ?? 0, this.look.times.at(-1) ?? 0];
       if (fresh || this.t < Math.min(...ends) || this.t > Math.max(...ends)) this.t = ends[0] ?? 0;
       void this.#compare();

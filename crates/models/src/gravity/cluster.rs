@@ -110,10 +110,10 @@ impl System for Cluster {
         ]);
     }
 
-    fn satellites(&self, values: &Values<f64>) -> Option<Satellites> {
-        let mut one = values.clone();
-        one.lists[1].items = vec![1.0, 1.0, 1.0, 0.0];
-        Some(Satellites { rest: 2 * HEAVY, each: 2, one })
+    fn satellites(&self, values: &Values<f64>, count: usize) -> Option<Satellites> {
+        let mut values = values.clone();
+        values.lists[1].items = vec![count as f64, 1.0, 1.0, 0.0];
+        Some(Satellites { rest: 2 * HEAVY, each: 2, values })
     }
 }
 

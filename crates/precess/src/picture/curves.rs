@@ -101,7 +101,7 @@ pub(super) fn snapshot(panel: &PanelPlan, shown: &[Shown]) -> Panel {
         };
         for one in chosen(panel, shown) {
             let Some(row) = one.sample(t) else { continue };
-            let heavy = one.plan.system.satellites(&one.plan.values).map_or(0, |s| s.rest);
+            let heavy = one.plan.system.satellites(&one.plan.values, 1).map_or(0, |s| s.rest);
             for (x, y) in &pairs {
                 let (Some(i), Some(j)) = (one.column(x), one.column(y)) else { continue };
                 if i <= heavy {
