@@ -1,7 +1,7 @@
 // The map of starts.
 
 import { expect, test } from "@playwright/test";
-import { barriers, choose, drawing, open } from "./page";
+import { barriers, choose, drawing, fill, hashOf, open } from "./page";
 
 test("a map of starts fills itself, coarse first, and a click opens the run from there", async ({ page }) => {
   await open(page);
@@ -27,7 +27,7 @@ test("a magnet is moved on the map, by hand and by key, and the map is drawn ane
   await choose(page, "magnetic_pendulum");
   await page.locator("[data-map]").click();
   const field = page.locator("[data-field=magnets]");
-  const magnet = page.locator("[data-handle^='magnets 1']");
+  const magnet = page.locator("figure:has([data-map-picture]) [data-handle^='magnets 1']");
   await expect(page.locator("[data-map-picture]")).not.toHaveAttribute("data-done", "0");
   const before = await drawing(page, "[data-map-picture]");
   await magnet.scrollIntoViewIfNeeded();
@@ -45,5 +45,62 @@ test("a magnet is moved on the map, by hand and by key, and the map is drawn ane
   await magnet.focus();
   await page.keyboard.press("ArrowLeft");
   await expect(field).toHaveValue(/^\[\[0\.4\d*; 0; 1\]/);
-  await expect(page.locator("[data-handle^='magnets 1']")).toBeFocused();
+  await expect(page.locator("figure:has([data-map-picture]) [data-handle^='magnets 1']")).toBeFocused();
+});
+
+test("a map is looked at closer, by a rectangle, wheel, keys and buttons, and back", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  // Short runs: the map is done sooner.
+  await fill(page, "until", "1.5");
+  await page.locator("[data-map]").click();
+  const picture = page.locator("[data-map-picture]");
+  const extent = () => picture.getAttribute("aria-label");
+  const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
+  await done();
+  const [whole, colours] = [await extent(), await drawing(page, "[data-map-picture]")];
+  const before = await hashOf(page);
+  await picture.scrollIntoViewIfNeeded();
+  const box = await picture.boundingBox();
+  if (!box) throw new Error("no map");
+  await page.mouse.move(box.x + 60, box.y + 60);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 160, box.y + 160, { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(extent).toMatch(/x −[\d.]+ … −[\d.]+/);
+  await expect.poll(() => drawing(page, "[data-map-picture]")).not.toBe(colours);
+  await done();
+  // A rectangle opens no run.
+  expect(await hashOf(page)).toBe(before);
+  await page.locator("[data-zoom=back]").click();
+  expect(await extent()).toBe(whole);
+  await expect(page.locator("[data-zoom=back]")).toBeDisabled();
+  await picture.focus();
+  await page.keyboard.press("+");
+  await page.keyboard.press("ArrowRight");
+  const moved = await extent();
+  expect(moved).not.toBe(whole);
+  await page.mouse.move(box.x + 200, box.y + 200);
+  await page.mouse.wheel(0, -300);
+  await expect.poll(extent).not.toBe(moved);
+  await page.keyboard.press("Backspace");
+  await expect.poll(extent).toBe(moved);
+  await page.keyboard.press("0");
+  await expect.poll(extent).toBe(whole);
+  await done();
+  await expect.poll(() => drawing(page, "[data-map-picture]")).toBe(colours);
+  expect(await barriers(page, "main")).toEqual([]);
+});
+
+test("where a map would take minutes, none is drawn, and that is said", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "cluster");
+  await page.locator("[data-map]").click();
+  await expect(page.locator("[data-map-large]")).toContainText("No map is drawn here");
+  await expect(page.locator("[data-map-picture]")).toHaveCount(0);
+  await choose(page, "pendulum");
+  await expect(page.locator("[data-map-large]")).toHaveCount(0);
+  await expect(page.locator("[data-map-picture]")).not.toHaveAttribute("data-done", "0");
 });

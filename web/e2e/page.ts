@@ -46,6 +46,8 @@ export async function choose(page: Page, id: string): Promise<void> {
   await button.evaluate((node) => node.closest("details")?.setAttribute("open", ""));
   await button.click();
   await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+  // An earlier run may have ended just then.
+  await page.locator(`[data-scene=${id}], [data-no-scene=${id}]`).waitFor();
 }
 
 export async function fill(page: Page, field: string, text: string): Promise<void> {

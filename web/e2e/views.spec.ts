@@ -1,7 +1,10 @@
 // What stands beside the run: comparisons, vectors, events, exercises.
 
 import { expect, test } from "@playwright/test";
-import { barriers, choose, drawing, fill, hashOf, open, picture, taken } from "./page";
+import { bodyIn } from "../src/lab/body";
+import { scenarioOf } from "../src/lab/toml";
+import { load } from "../tests/builds";
+import { barriers, choose, drawing, fill, hashOf, linked, open, picture, taken } from "./page";
 
 test("methods can be compared, and equations read", async ({ page }) => {
   await open(page);
@@ -139,6 +142,113 @@ test("a free body is shown as Poinsot saw it, too", async ({ page }) => {
   }
   await choose(page, "pendulum");
   await expect(page.locator("[data-which]")).toHaveCount(0);
+});
+
+test("how far a run can be trusted is worked out on demand, and greys what lies beyond", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "double_pendulum");
+  await expect(page.locator("[data-beyond]")).toHaveCount(0);
+  const bare = await drawing(page, "[data-graph='2']");
+  await page.locator("[data-trust]").click();
+  const told = page.locator("[data-trusted]");
+  await expect(told).toContainText("To be trusted", { timeout: 30_000 });
+  expect(await barriers(page, "main")).toEqual([]);
+  // A tolerance of a thousandth is soon too much for it.
+  await fill(page, "rtol", "1e-3");
+  await fill(page, "atol", "1e-3");
+  await expect(told).toContainText("To be trusted up to t =", { timeout: 30_000 });
+  await expect(page.locator("[data-beyond]")).toHaveCount(1);
+  expect(await drawing(page, "[data-graph='2']")).not.toBe(bare);
+  await page.locator("[data-scrub]").fill("1000000");
+  await expect(page.locator("[data-scrub]")).toHaveAttribute("aria-valuetext", /beyond what can be trusted/);
+  // What jumps has no shadow, and says so.
+  await choose(page, "noria");
+  await expect(told).toContainText("needs a motion without jumps");
+  await page.locator("[data-trust]").click();
+  await expect(told).toHaveCount(0);
+});
+
+test("the polhode and herpolhode of a free body are graphs with a name", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "free_body");
+  const select = page.locator("[data-named='2']");
+  await select.selectOption({ label: "Herpolhode" });
+  await expect(page.getByLabel("Graph 2, horizontally")).toHaveValue("herpolhode_x");
+  await expect(page.getByLabel("Graph 2, vertically")).toHaveValue("herpolhode_y");
+  expect(await barriers(page, "main")).toEqual([]);
+  await select.selectOption("-1");
+  await expect(page.getByLabel("Graph 2, horizontally")).toHaveValue("t");
+  await choose(page, "pendulum");
+  await expect(select).toHaveCount(0);
+});
+
+test("a magnet is moved in the scene itself, by hand and by key", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  const field = page.locator("[data-field=magnets]");
+  const magnet = page.locator("[data-handle^='magnets 1']");
+  const before = await hashOf(page);
+  const box = await magnet.boundingBox();
+  if (!box) throw new Error("no magnet");
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  for (const k of [1, 2, 3]) await page.mouse.move(box.x + 12 + 10 * k, box.y + 12 - 15 * k);
+  await page.mouse.up();
+  await expect(field).toHaveValue(/^\[\[0\.[5-9]\d*; 0\.[1-4]\d*; 1\]; \[-0\.25; 0\.433; 1\]/);
+  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", before ?? "");
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect(field).toHaveValue("[[0.5; 0; 1]; [-0.25; 0.433; 1]; [-0.25; -0.433; 1]]");
+  await magnet.focus();
+  await page.keyboard.press("ArrowUp");
+  await expect(field).toHaveValue(/^\[\[0\.5; 0\.0\d*; 1\]/);
+  await expect(magnet).toBeFocused();
+});
+
+test("a profile is drawn and becomes the body, which the link keeps", async ({ page }) => {
+  test.setTimeout(120_000);
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "heavy_top");
+  const bare = await drawing(page, "[data-scene]");
+  await page.locator("[data-draw]").click();
+  const paper = page.locator("[data-profile]");
+  await paper.scrollIntoViewIfNeeded();
+  const box = await paper.boundingBox();
+  if (!box) throw new Error("no paper");
+  const at = (across: number, up: number) =>
+    [box.x + (0.5 + across / 2) * box.width, box.y + (1 - up) * box.height] as const;
+  await page.mouse.move(...at(0.05, 0.05));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.8, 0.45), { steps: 3 });
+  await page.mouse.move(...at(0.1, 0.95), { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(() => linked(page)).toMatch(/shape = "smooth_profile"[^]*radii = \[/);
+  const drawn = () => bodyIn(scenarioOf(linked(page)))?.radii ?? [];
+  await expect.poll(() => drawn()[5] ?? 0).toBeGreaterThan(0.02);
+  const middle = drawn()[5] ?? 0;
+  await expect.poll(() => drawing(page, "[data-scene]")).not.toBe(bare);
+  // By keys, and back.
+  await page.locator("[data-slice='5']").focus();
+  await page.keyboard.press("ArrowRight");
+  await expect.poll(() => drawn()[5]).toBeCloseTo(middle + 0.0001, 6);
+  await expect
+    .poll(async () => (await load("precess")).run(linked(page)).hash() === (await hashOf(page)))
+    .toBe(true);
+  expect(await barriers(page)).toEqual([]);
+  await page.locator("[data-body-away]").click();
+  await expect.poll(() => drawing(page, "[data-scene]")).toBe(bare);
+  // On a table a hollow one is refused, in the core's words, and the last good run stays.
+  await choose(page, "sliding_body");
+  const before = await hashOf(page);
+  await page.locator("[data-slice='6']").fill("22");
+  await expect.poll(async () => (await hashOf(page)) !== before).toBe(true);
+  const good = await hashOf(page);
+  await page.locator("[data-slice='6']").fill("2");
+  await expect(page.getByRole("alert")).toContainText("hollow");
+  expect(await hashOf(page)).toBe(good);
 });
 
 test("measured points lie over the graphs, until another system is opened", async ({ page }) => {

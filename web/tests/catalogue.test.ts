@@ -63,6 +63,7 @@ const SYSTEM: Shape = {
   starts: [quantity],
   events: [{ name: "string", text }],
   views: [{ pairs: [["string"]], equal_scales: "boolean" }],
+  takes_body: "boolean",
   equations: { definitions: [["string"]], equations: [["string"]] },
   defaults: { method: "string", until: "number", dt: "number" },
 };

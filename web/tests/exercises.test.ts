@@ -35,6 +35,7 @@ const closed: Record<string, number> = {
   "taut-string": Math.sqrt(5 * G),
   "slack-string": Math.acos(-2 / 3),
   tension: 2 * G,
+  waterwheel: Math.sqrt((1.5 * Math.PI * G) / 10 - 1),
   stretched: 1 + (2 * 0.2 * 0.098) / 0.1,
 };
 /** The classical Runge-Kutta method of our own for x'' = a(x, x'), until a condition holds. */
@@ -72,9 +73,39 @@ const vanDerPol = (e: number) =>
 /** Back in time from beside the top of the hill, along the way that ends on it. */
 const rate = -0.085 - Math.sqrt(0.085 ** 2 + 1);
 const apart = 1e-7;
+/** Where a function changes its sign, by halving. */
+function root(f: (x: number) => number, low: number, high: number): number {
+  for (let k = 0; k < 60; k++) {
+    const middle = (low + high) / 2;
+    if (f(low) * f(middle) <= 0) high = middle;
+    else low = middle;
+  }
+  return (low + high) / 2;
+}
+const magnet = (x: number, at: [number, number]) =>
+  (at[0] - x) / ((at[0] - x) ** 2 + at[1] ** 2 + 0.2 ** 2) ** 1.5;
+const force = (x: number) => -4 * x + magnet(x, [0.5, 0]) + 2 * magnet(x, [-0.25, 0.433]);
+/** Hill's discriminant over a period of the shaking: beyond 2 the motion grows. */
+function discriminant(alpha: number): number {
+  const steps = 4000;
+  const h = (2 * Math.PI) / alpha / steps;
+  const a = (t: number, x: number) => -(1 - 0.2 * Math.sin(alpha * t)) * x;
+  const after = (x: number, v: number) => {
+    for (let k = 0; k < steps; k++) {
+      // Verlet's steps: time enters at their ends.
+      const middle = v + (h / 2) * a(k * h, x);
+      x += h * middle;
+      v = middle + (h / 2) * a((k + 1) * h, x);
+    }
+    return [x, v] as const;
+  };
+  return Math.abs(after(1, 0)[0] + after(0, 1)[1]) - 2;
+}
 const numeric: Record<string, () => number> = {
   "over-the-hill-damped": () => runge(valley, 1 - apart, -rate * apart, -1e-4, (x) => x > 0).v,
   "limit-cycle": () => vanDerPol(0.1).largest,
+  "over-a-magnet": () => root(force, 0.4, 0.5),
+  tongue: () => root(discriminant, 2.05, 2.3),
   "relaxation-period": () => vanDerPol(1.6).period,
 };
 

@@ -1,5 +1,6 @@
 //! Cards as JSON: all that a card says, under the card's own names.
 
+use crate::scenario::takes_body;
 use crate::{Scenario, catalogue, equations, scenarios};
 use precess_integrate::{Kind, MethodCard, Needs};
 use precess_scalar::Notation;
@@ -77,6 +78,7 @@ pub fn system(system: &dyn AnySystem) -> Value {
         "title": text(&card.title),
         "about": text(&card.about),
         "source": card.source,
+        "takes_body": takes_body(card.id),
         "coordinates": coordinates.collect::<Vec<_>>(),
         "state": layout.state().iter().map(|q| q.name.clone()).collect::<Vec<_>>(),
         "parameters": parameters.collect::<Vec<_>>(),

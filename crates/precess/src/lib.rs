@@ -6,6 +6,7 @@
 
 #[cfg(feature = "analyses")]
 pub mod analyses;
+mod answer;
 pub mod basins;
 pub mod body;
 mod canonical;
@@ -25,6 +26,7 @@ mod page;
 mod panel;
 mod picture;
 mod plan;
+mod premises;
 mod random;
 mod resolve;
 mod run;
@@ -32,9 +34,11 @@ mod satellites;
 mod scenario;
 pub mod scenarios;
 pub mod survey;
+mod trust;
 pub mod value;
 mod workers;
 
+pub use answer::{Answer, Progress};
 pub use canonical::scenario_toml;
 pub use compare::{Comparison, Contender, compare};
 pub use describe::{Equations, equations, parameter_names, record};
@@ -52,6 +56,7 @@ pub use run::{Outcome, Provenance, columns, run};
 pub use scenario::{
     EnsembleSpec, EventSpec, FamilySpec, FigureKind, FigureSpec, Kept, Scenario, Source, Words,
 };
+pub use trust::trust;
 pub use workers::Workers;
 
 #[cfg(feature = "analyses")]

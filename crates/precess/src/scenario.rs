@@ -6,6 +6,7 @@ mod family;
 mod figure;
 mod reading;
 
+pub(crate) use body::taken_by as takes_body;
 pub use ensemble::{Classes, EnsembleSpec, Kept, Source};
 pub use family::FamilySpec;
 pub(crate) use figure::STROKES;

@@ -272,8 +272,37 @@ fn a_body_that_makes_no_sense_is_refused_with_the_line() {
         ("rolling_body", "rattleback", &["rattleback", "rolling_body and sliding_body"]),
         ("mass = 1.0\n", "mass = 1.0\nshape = \"sphere\"\n", &["inertia"]),
         ("[system.body]", "parameters = { m = 2 }\n[system.body]", &["m is given twice"]),
+        ("rolling_body", "heavy_top", &["heavy_top takes a shape, not 'mass'"]),
     ] {
         let sentence = refusal(from, to);
         assert!(words.iter().all(|word| sentence.contains(word)), "{sentence}");
     }
+}
+
+/// A top with a stem, by its radii.
+fn drawn(system: &str, radii: &str) -> Result<Plan, String> {
+    let body = format!("shape = \"smooth_profile\"\ndensity = 700\nheight = 0.06\nradii = {radii}\n");
+    let text = format!("precess = 1\n[system]\nid = \"{system}\"\n[system.body]\n{body}");
+    Scenario::parse(&text).and_then(|scenario| Plan::new(&scenario)).map_err(|e| e.to_string())
+}
+
+#[test]
+fn a_profile_becomes_a_heavy_top_that_turns_about_its_lower_end() {
+    let plan = drawn("heavy_top", "[0.002, 0.02, 0.028, 0.01, 0.004]").expect("a top");
+    let words = ["smooth_profile", "density=700", "height=0.06", "radii=[0.002; 0.02; 0.028; 0.01; 0.004]"];
+    let solid = precess::body::read(&words.map(String::from)).expect("the same body");
+    let value = |name: &str| plan.values.number(&plan.card, name).expect("a parameter");
+    assert_eq!(value("m"), solid.mass);
+    assert_eq!(plan.values.lists[0].items, solid.centre);
+    // Huygens and Steiner.
+    let carried = solid.inertia[0][0] + solid.mass * solid.centre[2] * solid.centre[2];
+    assert!((value("i1") - carried).abs() < 1e-15 * carried && value("i1") == value("i2"));
+    assert_eq!(value("i3"), solid.inertia[2][2]);
+}
+
+#[test]
+fn a_hollow_profile_stands_on_no_table() {
+    let hollow = drawn("sliding_body", "[0.002, 0.02, 0.028, 0.01, 0.004]").err().expect("it has a stem");
+    assert!(hollow.contains("hollow at radius 4") && hollow.contains("convex"), "{hollow}");
+    drawn("sliding_body", "[0.01, 0.02, 0.022, 0.02, 0.01]").expect("a barrel");
 }

@@ -8,7 +8,7 @@
 #![allow(unsafe_code)]
 
 use crate::kept::{Kept, Table};
-use crate::{catalogue, desk, ensemble, memory, run};
+use crate::{catalogue, desk, ensemble, memory, run, trust};
 
 /// Makes room for an input of so many bytes; null where there is none, and earlier inputs are then forgotten, too. The
 /// next call takes all inputs, in order.
@@ -68,6 +68,20 @@ pub extern "C" fn precess_ensemble(grid: u32, samples: u32, plain: u32) -> u32 {
             plain: plain != 0,
         };
         ensemble::ensemble(&request, &mut host::progress)
+    };
+    desk::keep(done())
+}
+
+/// How far the run of the scenario in the input can be trusted, where a relative error `within` is borne: a handle to a
+/// table (`t`, `error`, and `trusted`: one up to the horizon, zero beyond), and its columns as the answer.
+#[unsafe(no_mangle)]
+pub extern "C" fn precess_trust(within: f64) -> u32 {
+    let done = || {
+        if FIRST {
+            return Err("this core has no shadows".into());
+        }
+        let [scenario] = desk::inputs()?;
+        trust::trust(&desk::text(scenario)?, within, &mut host::progress)
     };
     desk::keep(done())
 }

@@ -16,3 +16,4 @@ mod kept;
 mod memory;
 mod report;
 mod run;
+mod trust;

@@ -1,7 +1,7 @@
 //! What is said of a result beside its numbers, as JSON.
 
 use precess::system::{Column, ColumnKind, Event, Trajectory};
-use precess::{Drift, Members, Plan, Provenance, scenario_toml};
+use precess::{Answer, Drift, Members, Plan, Provenance, scenario_toml};
 use serde_json::{Value, json};
 
 /// The report of a run. A number that is not finite is null, as JSON has it.
@@ -47,6 +47,12 @@ pub fn ensemble(plan: &Plan, members: &Members) -> Value {
         "version": env!("CARGO_PKG_VERSION"),
         "scenario": scenario_toml(plan),
     })
+}
+
+/// The report of what an analysis gives.
+pub fn answer(Answer { table, failure, .. }: &Answer) -> Value {
+    let columns: Vec<_> = table.columns.iter().map(column).collect();
+    json!({ "rows": table.len(), "columns": columns, "failure": failure })
 }
 
 fn column(column: &Column) -> Value {

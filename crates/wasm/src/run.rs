@@ -44,7 +44,7 @@ pub fn plan(text: &str) -> Result<Plan, String> {
 }
 
 /// Whether the samples find room. A table that grows may take twice what it holds.
-fn fits(plan: &Plan) -> Result<(), String> {
+pub fn fits(plan: &Plan) -> Result<(), String> {
     let rows = plan.until.abs() / plan.every + 2.0;
     memory::fits(rows * plan.columns().len() as f64 * 2.0, || {
         format!("{rows:.1e} samples do not fit into the memory of this page: make 'every' longer")

@@ -47,6 +47,8 @@ export interface System {
   events: { name: string; text: Text }[];
   /** Pictures, the most telling first: pairs (horizontal, vertical) of names. */
   views: { pairs: [string, string][]; equal_scales: boolean }[];
+  /** Whether a scenario may give it a body, `[system.body]`. */
+  takes_body: boolean;
   /** LaTeX: (name, meaning) of what occurs several times, (left, right) of each equation. */
   equations: { definitions: [string, string][]; equations: [string, string][] };
   defaults: { method: string; until: number; dt: number };

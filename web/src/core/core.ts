@@ -2,13 +2,14 @@ import type { Catalogue } from "./catalogue";
 import { Ensemble } from "./ensemble";
 import { instantiate } from "./exports";
 import { Instance } from "./instance";
-import type { EnsembleReport, Report } from "./report";
+import type { EnsembleReport, Report, TableReport } from "./report";
 import { Run } from "./run";
+import { Table } from "./table";
 import type { Axis } from "./tiles";
 
 /**
- * Is told now and then how far the work has come: the time of a run, the members of an ensemble that are done; `false`
- * ends the work, which keeps what it has.
+ * Is told now and then how far the work has come: the time of a run, the members of an ensemble that are done, the share of
+ * an analysis; `false` ends the work, which keeps what it has.
  */
 export type Progress = (done: number) => boolean | undefined;
 
@@ -85,6 +86,18 @@ export class Core {
         exports.precess_ensemble(Number(grid), Number(keep === "samples"), Number(!lanes)),
       );
       return new Ensemble(this.#instance, value, JSON.parse(answer) as EnsembleReport);
+    });
+  }
+
+  /**
+   * How far the run of a scenario can be trusted, where a relative error `within` is borne: a table with the columns `t`,
+   * `error` and `trusted`, which is one up to the horizon and zero beyond. Work that is ended gives nothing.
+   */
+  trust(scenario: string, within: number, progress?: Progress): Table {
+    this.#instance.write(scenario);
+    return this.#watch.during(progress, () => {
+      const { value, answer } = this.#instance.ask((exports) => exports.precess_trust(within));
+      return new Table(this.#instance, value, JSON.parse(answer) as TableReport);
     });
   }
 

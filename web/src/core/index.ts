@@ -4,4 +4,5 @@ export type { Ensemble } from "./ensemble";
 export { CoreBroken, CoreError } from "./error";
 export type * from "./report";
 export type { Run, RunEvent } from "./run";
+export type { Table } from "./table";
 export { type Axis, type Part, place, tiles } from "./tiles";

@@ -18,9 +18,14 @@ export interface Drift {
   relative: number | null;
 }
 
-export interface Report {
+export interface TableReport {
   rows: number;
   columns: Column[];
+  /** Why the work ended before its time, in a sentence; what is there is right. */
+  failure: string | null;
+}
+
+export interface Report extends TableReport {
   /** Names of the events that were met. */
   events: string[];
   /** What the system says of each; null for one that the scenario watches. */
@@ -28,8 +33,6 @@ export interface Report {
   drifts: Drift[];
   /** The watched event that ended the run. */
   stopped_by: string | null;
-  /** Why the run ended before its time, in a sentence; its samples up to then are right. */
-  failure: string | null;
   version: string;
   /** The scenario (TOML) with everything spelt out, and its SHA-256. */
   scenario: string;

@@ -1,5 +1,5 @@
 import type { Report } from "./report";
-import { Result } from "./result";
+import { Table } from "./table";
 
 /** An event that was met, with the state (coordinates, velocities) there, before any jump. */
 export interface RunEvent {
@@ -9,24 +9,7 @@ export interface RunEvent {
 }
 
 /** A run, from `Core.run`. */
-export class Run extends Result<Report> {
-  /**
-   * The numbers in place, row by row: `report.rows` rows of `report.columns.length`. The next call of the core may
-   * move its memory, which empties the view: look at once, or copy.
-   */
-  get numbers(): Float64Array {
-    return this.table("numbers");
-  }
-
-  /** A column by its name, as a copy that stays. */
-  column(name: string): Float64Array {
-    const width = this.report.columns.length;
-    const at = this.report.columns.findIndex((column) => column.name === name);
-    if (at < 0) throw new RangeError(`this run has no column ${name}`);
-    const numbers = this.numbers;
-    return Float64Array.from({ length: this.report.rows }, (_, row) => numbers[row * width + at] ?? NaN);
-  }
-
+export class Run extends Table<Report> {
   /** The events in the order of the integration, as copies that stay. */
   events(): RunEvent[] {
     const rows = this.table("events");

@@ -9,6 +9,8 @@ export interface Curve {
   x: Float64Array;
   y: Float64Array;
   colour: number;
+  /** The first point that cannot be trusted: it and all beyond are grey. */
+  horizon?: number;
 }
 
 export interface Plot {
@@ -90,11 +92,18 @@ export function drawPlot(
   pen.rect(f.left, f.top, f.right - f.left, f.bottom - f.top);
   pen.clip();
   pen.lineJoin = "round";
+  if (byTime) shade(pen, f, plot, ink);
   for (const curve of plot.curves) {
-    pen.strokeStyle = ink.curves[curve.colour % ink.curves.length] ?? ink.ink;
+    const horizon = Math.min(curve.horizon ?? Infinity, curve.x.length);
     pen.setLineDash([...(DASHES[curve.colour % DASHES.length] ?? [])]);
     pen.lineWidth = (curve.colour === 0 ? 1.6 : 1.3) * ink.weight;
-    trace(pen, f, curve, byTime);
+    // Both parts meet in a point.
+    pen.strokeStyle = ink.faint;
+    pen.globalAlpha = 0.5;
+    if (horizon < curve.x.length) trace(pen, f, curve, byTime, Math.max(horizon - 1, 0), curve.x.length);
+    pen.globalAlpha = 1;
+    pen.strokeStyle = ink.curves[curve.colour % ink.curves.length] ?? ink.ink;
+    trace(pen, f, curve, byTime, 0, horizon);
   }
   pen.setLineDash([]);
   for (const { x, y, colour } of plot.points ?? []) {
@@ -110,6 +119,19 @@ export function drawPlot(
   return f;
 }
 
+/** The time that cannot be trusted, greyed. */
+function shade(pen: Brush, f: Frame, { curves }: Plot, ink: Ink): void {
+  const doubted = curves.find(({ x, horizon = Infinity }) => horizon < x.length);
+  if (!doubted) return;
+  const from = px(f, doubted.x[Math.max((doubted.horizon ?? 0) - 1, 0)] ?? NaN);
+  // A run may go backwards.
+  const to = px(f, doubted.x.at(-1) ?? NaN);
+  pen.fillStyle = ink.faint;
+  pen.globalAlpha = 0.14;
+  pen.fillRect(Math.min(from, to), f.top, Math.abs(to - from), f.bottom - f.top);
+  pen.globalAlpha = 1;
+}
+
 function millimetres(pen: Brush, f: Frame, across: number[], up: number[], ink: Ink): void {
   pen.strokeStyle = ink.grid;
   const lines = (
@@ -118,8 +140,9 @@ function millimetres(pen: Brush, f: Frame, across: number[], up: number[], ink: 
     place: (x: number) => number,
     ends: [number, number],
   ) => {
-    const [a = 0, b = 1] = at;
-    const step = Math.abs(place(b) - place(a)) || ends[1] - ends[0];
+    const [a = 0, b] = at;
+    const width = Math.abs(ends[1] - ends[0]);
+    const step = b === undefined ? width : Math.abs(place(b) - place(a)) || width;
     const fine = step / 5;
     const first = place(a);
     for (let k = -50; k < 250; k++) {
@@ -157,11 +180,11 @@ function millimetres(pen: Brush, f: Frame, across: number[], up: number[], ink: 
 }
 
 /** A curve against time is thinned to its lowest and highest point in each column of pixels. */
-function trace(pen: Brush, f: Frame, { x, y }: Curve, byTime: boolean): void {
+function trace(pen: Brush, f: Frame, { x, y }: Curve, byTime: boolean, from: number, to: number): void {
   const each = byTime ? Math.max(1, Math.floor(x.length / ((f.right - f.left) * 2))) : 1;
   pen.beginPath();
   let down = false;
-  const to = (k: number) => {
+  const go = (k: number) => {
     const [a, b] = [px(f, x[k] ?? NaN), py(f, y[k] ?? NaN)];
     if (!Number.isFinite(a) || !Number.isFinite(b)) {
       down = false;
@@ -171,18 +194,18 @@ function trace(pen: Brush, f: Frame, { x, y }: Curve, byTime: boolean): void {
     else pen.moveTo(a, b);
     down = true;
   };
-  for (let k = 0; k < x.length; k += each) {
+  for (let k = from; k < to; k += each) {
     if (each === 1) {
-      to(k);
+      go(k);
       continue;
     }
     let [low, high] = [k, k];
-    for (let n = k; n < Math.min(k + each, x.length); n++) {
+    for (let n = k; n < Math.min(k + each, to); n++) {
       if ((y[n] ?? 0) < (y[low] ?? 0)) low = n;
       if ((y[n] ?? 0) > (y[high] ?? 0)) high = n;
     }
-    to(Math.min(low, high));
-    if (low !== high) to(Math.max(low, high));
+    go(Math.min(low, high));
+    if (low !== high) go(Math.max(low, high));
   }
   pen.stroke();
 }

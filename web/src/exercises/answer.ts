@@ -1,7 +1,7 @@
 // What an exercise asks of a run, and how the simulation answers: nothing here is known beforehand.
 
 import type { Look } from "../lab/result";
-import { toml, withValue, exact, type Scenario } from "../lab/scenario";
+import { toml, withValue, exact, type Part, type Scenario } from "../lab/scenario";
 
 /** `event` names a watched crossing of the exercise's scenario. */
 export type Asked =
@@ -13,8 +13,8 @@ export type Asked =
   | { kind: "period"; event: string }
   /** The value of a coordinate or velocity at the first crossing. */
   | { kind: "crossing"; event: string; of: string }
-  /** The start between two values on whose sides the crossing comes and does not. */
-  | { kind: "threshold"; event: string; start: string; between: [number, number] };
+  /** The start or parameter between two values on whose sides the crossing comes and does not. */
+  | { kind: "threshold"; event: string; part: Part; of: string; between: [number, number] };
 
 export type Compute = (text: string) => Promise<Look>;
 
@@ -36,11 +36,11 @@ export async function answer(scenario: Scenario, asked: Asked, compute: Compute)
 /** By halving: six digits are more than anybody types. */
 async function threshold(
   scenario: Scenario,
-  { event, start, between }: Extract<Asked, { kind: "threshold" }>,
+  { event, part, of, between }: Extract<Asked, { kind: "threshold" }>,
   compute: Compute,
 ): Promise<number> {
   const comes = async (value: number) => {
-    const look = await compute(toml(withValue(scenario, "start", start, exact(value))));
+    const look = await compute(toml(withValue(scenario, part, of, exact(value))));
     return look.result.events.some(({ name }) => name === event);
   };
   let [low, high] = between;

@@ -176,7 +176,7 @@ export const EXERCISES: readonly Exercise[] = [
       { until: "60", every: "0.1" },
       "x = 1.5, rising, stop",
     ),
-    asked: { kind: "threshold", event: "it", start: "x_dot", between: [0.2, 1.5] },
+    asked: { kind: "threshold", event: "it", part: "start", of: "x_dot", between: [0.2, 1.5] },
     tolerance: 0.005,
   },
   {
@@ -198,7 +198,7 @@ export const EXERCISES: readonly Exercise[] = [
       { until: "60", every: "0.1" },
       "x = 1.5, rising, stop",
     ),
-    asked: { kind: "threshold", event: "it", start: "x_dot", between: [0.2, 1.5] },
+    asked: { kind: "threshold", event: "it", part: "start", of: "x_dot", between: [0.2, 1.5] },
     tolerance: 0.01,
   },
   {
@@ -304,7 +304,7 @@ export const EXERCISES: readonly Exercise[] = [
       { until: "8", every: "0.05" },
       "theta = 3.2, rising, stop",
     ),
-    asked: { kind: "threshold", event: "it", start: "theta_dot", between: [3, 9] },
+    asked: { kind: "threshold", event: "it", part: "start", of: "theta_dot", between: [3, 9] },
     tolerance: 0.005,
   },
   {
@@ -326,7 +326,7 @@ export const EXERCISES: readonly Exercise[] = [
       { until: "4", every: "0.05" },
       "tension = 0, falling, stop",
     ),
-    asked: { kind: "threshold", event: "it", start: "theta_dot", between: [6.4, 9] },
+    asked: { kind: "threshold", event: "it", part: "start", of: "theta_dot", between: [6.4, 9] },
     tolerance: 0.005,
   },
   {
@@ -381,6 +381,65 @@ export const EXERCISES: readonly Exercise[] = [
     unit: "m",
     scenario: of("elastic_pendulum", {}, { l: "1", theta_dot: "0" }, { until: "20", every: "0.005" }),
     asked: { kind: "largest", of: "l" },
+    tolerance: 0.005,
+  },
+  {
+    id: "waterwheel",
+    source: "P, ex. 8",
+    question: {
+      en: "A leaking waterwheel (torque π g R a of the water a to one side, R = 1 m, friction 10 kg m²/s, leak 1 s⁻¹) is filled by 1.5 kg/s at the top: a' = ω b − a, b' = 1.5 − ω a − b. It soon turns steadily. How fast?",
+      fr: "Une roue à eau percée (couple π g R a de l'eau a d'un côté, R = 1 m, frottement 10 kg m²/s, fuite 1 s⁻¹) reçoit 1,5 kg/s en haut : a' = ω b − a, b' = 1,5 − ω a − b. Elle tourne bientôt régulièrement. À quelle vitesse ?",
+    },
+    hint: {
+      en: "Nothing changes any more: π g R a = 10 ω, a = ω b and b = 1.5 − ω a. Divide the first by ω.",
+      fr: "Plus rien ne change : π g R a = 10 ω, a = ω b et b = 1,5 − ω a. Divisez la première par ω.",
+    },
+    unit: "rad/s",
+    scenario: of("malkus_waterwheel", { inflow: "1.5" }, {}, { until: "60", every: "0.02" }),
+    asked: { kind: "end", of: "theta_dot" },
+    tolerance: 0.005,
+  },
+  {
+    id: "over-a-magnet",
+    source: "P, ex. 7",
+    question: {
+      en: "A pendulum over three magnets (pull to the centre 4, strengths 1, magnets 0.2 below the plane at (0.5, 0), (−0.25, ±0.433)) is let go at rest above the first magnet. It does not stay there. At which x does it come to rest?",
+      fr: "Un pendule au-dessus de trois aimants (rappel vers le centre 4, forces 1, aimants 0,2 sous le plan en (0,5 ; 0) et (−0,25 ; ±0,433)) est lâché sans vitesse au-dessus du premier. Il n'y reste pas. En quel x s'arrête-t-il ?",
+    },
+    hint: {
+      en: "The pull to the centre, 4 x, and that of the two other magnets are held by the first magnet: (0.5 − x)/((0.5 − x)² + 0.2²)^(3/2). Solve it by trying.",
+      fr: "Le rappel vers le centre, 4 x, et l'attraction des deux autres aimants sont équilibrés par le premier : (0,5 − x)/((0,5 − x)² + 0,2²)^(3/2). Résolvez par tâtonnement.",
+    },
+    unit: "",
+    scenario: of(
+      "magnetic_pendulum",
+      {},
+      { x: "0.5", y: "0", x_dot: "0", y_dot: "0" },
+      { until: "150", every: "0.05" },
+    ),
+    asked: { kind: "end", of: "x" },
+    tolerance: 0.005,
+  },
+  {
+    id: "tongue",
+    source: "P, ex. 6.1",
+    question: {
+      en: "A pendulum x'' = −(1 − 0.2 sin α t) x is shaken a little faster than twice in each of its own swings (α = 2). Up to which α does it still swing itself up?",
+      fr: "Un pendule x'' = −(1 − 0,2 sin α t) x est secoué un peu plus vite que deux fois par oscillation propre (α = 2). Jusqu'à quel α s'amplifie-t-il encore de lui-même ?",
+    },
+    hint: {
+      en: "Put x = A cos(α t/2) + B sin(α t/2) with slowly changing A and B: near α = 2 ω they grow as long as |α − 2 ω| < h ω/2.",
+      fr: "Posez x = A cos(α t/2) + B sin(α t/2), A et B variant lentement : près de α = 2 ω, ils croissent tant que |α − 2 ω| < h ω/2.",
+    },
+    unit: "rad/s",
+    scenario: of(
+      "parametric_oscillator",
+      { h: "0.2" },
+      { x: "0.2", x_dot: "0.2" },
+      { until: "1200", every: "1" },
+      "x = 100, rising, stop",
+    ),
+    asked: { kind: "threshold", event: "it", part: "parameters", of: "alpha", between: [2.05, 2.3] },
     tolerance: 0.005,
   },
 ];

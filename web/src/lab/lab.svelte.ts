@@ -3,6 +3,7 @@
 import type { Catalogue, Method, Scenario as Preset, System } from "../core";
 import first from "../first.toml?raw";
 import firstPage from "virtual:first-page";
+import type { NamedGraph } from "../scenes/kit/scene";
 import { wordsOf, type Words } from "../words";
 import { advance, pace, sampleAt } from "./clock";
 import { listed } from "./groups";
@@ -61,6 +62,12 @@ export class Lab {
   /** What the run at hand is compared with, where that is another run. */
   variations = $state.raw<Variation[]>([]);
   rivals = $state.raw<Rival[]>([]);
+  /** The graphs with a name that the scene brings. */
+  graphs = $state.raw<NamedGraph[]>([]);
+  /** So many samples of a run can be trusted, where somebody has asked. */
+  trusted = $state.raw<{ look: Look; samples: number } | undefined>(undefined);
+  /** The first sample of the run at hand that cannot be trusted; infinity where none is known. */
+  horizon = $derived(this.trusted && this.trusted.look === this.look ? this.trusted.samples : Infinity);
   /** What was measured, to be held against the run. */
   measured = $state.raw<Measured | undefined>(undefined);
   /** Of the bodies that are too many for a list, the one at hand. */
@@ -344,7 +351,8 @@ export class Lab {
       ({ name, relative, largest }) =>
         `${this.words.drift}, ${this.meaning(name)}: ${this.number(relative ?? largest ?? NaN, 2)}`,
     );
-    const sentence = [this.say(system.title), values.join("; "), ...drifts].join(". ");
+    const doubts = sample < this.horizon ? [] : [this.words.beyond];
+    const sentence = [this.say(system.title), values.join("; "), ...doubts, ...drifts].join(". ");
     // The same words again are read again only where they change.
     this.spoken = sentence === this.spoken ? `${sentence} ` : sentence;
   }

@@ -142,6 +142,9 @@ export class Runner {
   }
 }
 
+/** The core with everything in it, of which the browser keeps the file. */
+export const wholeCore = () => moduleAt(url);
+
 async function moduleAt(url: string): Promise<WebAssembly.Module> {
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${url}: ${response.status}`);

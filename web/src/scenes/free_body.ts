@@ -1,5 +1,5 @@
 import type { Look } from "../lab/result";
-import { cones, ellipsoid } from "./kit/poinsot";
+import { cones, ellipsoid, polhodes } from "./kit/poinsot";
 import type { Place, Solid } from "./kit/scene";
 
 /** The edges of the box of unit mass that has these moments of inertia, up to a common factor. */
@@ -39,6 +39,8 @@ const scene: Solid = {
   sphere: () => 0.8,
 };
 export default scene;
+
+export const graphs = polhodes;
 
 export const others = [
   { title: { en: "Ellipsoid on its plane", fr: "Ellipsoïde sur son plan" }, scene: ellipsoid },

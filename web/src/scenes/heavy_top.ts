@@ -1,5 +1,7 @@
+import { bodyIn, outline } from "../lab/body";
 import type { Look } from "../lab/result";
-import type { Place, Solid } from "./kit/scene";
+import { inBodyAxes } from "./kit/poinsot";
+import type { Piece, Place, Solid } from "./kit/scene";
 import { attitude } from "./kit/table";
 
 const centre = (look: Look): Place => {
@@ -19,7 +21,11 @@ function edges(look: Look): Place {
   const least = 0.03 * reach(look);
   return own.map((i) => Math.max(Math.sqrt(Math.max((6 * (sum - 2 * i)) / m, 0)), least)) as Place;
 }
-const reach = (look: Look) => Math.hypot(...centre(look)) || 1;
+/** To the centre of mass, or half way up what was drawn. */
+const reach = (look: Look) => {
+  const drawn = bodyIn(look.result.scenario);
+  return (drawn ? 0.6 * drawn.height : Math.hypot(...centre(look))) || 1;
+};
 
 const stands = (look: Look) => Math.min(...look.column("gz")) > 0.35 * reach(look);
 
@@ -28,10 +34,22 @@ const scene: Solid = {
   size: (look) => 1.45 * reach(look),
   body(look) {
     const r = reach(look);
+    const drawn = bodyIn(look.result.scenario);
+    const axis: Piece = {
+      shape: "rod",
+      from: [0, 0, 0],
+      to: [0, 0, 1.6 * r],
+      radius: 0.014 * r,
+      colour: "accent",
+    };
+    if (drawn) {
+      const profile = outline(drawn);
+      return [{ shape: "turned", profile, colour: "ink" }, { shape: "stripe", profile }, axis];
+    }
     return [
       { shape: "rod", from: [0, 0, 0], to: centre(look), radius: 0.03 * r, colour: "brass" },
       { shape: "box", size: edges(look), at: centre(look), colour: "ink" },
-      { shape: "rod", from: [0, 0, 0], to: [0, 0, 1.6 * r], radius: 0.014 * r, colour: "accent" },
+      axis,
     ];
   },
   pose: (look, k) => ({ place: [0, 0, 0], turn: attitude(look, k) }),
@@ -44,3 +62,5 @@ const scene: Solid = {
   centre: (look) => [0, 0, stands(look) ? 0.6 * reach(look) : 0],
 };
 export default scene;
+
+export const graphs = inBodyAxes;

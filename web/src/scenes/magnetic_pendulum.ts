@@ -13,6 +13,7 @@ const scene: Flat = {
     pen.cross(0.03, 1);
     pen.bob(look, sample, 10, 0.8, pen.ink.faint);
   },
+  places: ["x", "y"],
   drag: (_look, _sample, x, y) => ({ x, y, x_dot: 0, y_dot: 0 }),
 };
 export default scene;

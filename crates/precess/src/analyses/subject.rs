@@ -1,5 +1,7 @@
 //! A plan as the analyses need it: bound to plain and to dual numbers.
 
+pub(crate) use crate::premises::{failed, forwards, smooth};
+
 use crate::error::{Error, input};
 use crate::plan::Plan;
 use crate::run::pace;
@@ -52,23 +54,6 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// Refuses what tangent vectors cannot follow.
-pub(crate) fn smooth(plan: &Plan, what: &str) -> Result<(), Error> {
-    if plan.structure.hybrid {
-        let id = plan.card.id;
-        return input(format!("{what} needs a motion without jumps, and {id} has events"));
-    }
-    Ok(())
-}
-
-/// The analyses follow a motion forwards.
-pub(crate) fn forwards(plan: &Plan) -> Result<(), Error> {
-    if plan.until > 0.0 {
-        return Ok(());
-    }
-    input(format!("the end must be above zero here, not {}", plan.until))
-}
-
 /// The period of the equations in time.
 pub(crate) fn period(plan: &Plan, what: &str) -> Result<f64, Error> {
     let found = plan.system.period(&plan.values).filter(|p| p.is_finite() && *p > 0.0);
@@ -90,9 +75,4 @@ pub(crate) fn state_number(plan: &Plan, name: Option<&str>) -> Result<usize, Err
     let found = state.iter().position(|q| q.name == name);
     let names = state.iter().map(|q| q.name.as_str());
     found.ok_or_else(|| crate::unknown(&format!("number of the state of {}", plan.card.id), name, names))
-}
-
-/// A sentence for a failure, with the advice that is its own.
-pub(crate) fn failed<T>(failure: &precess_integrate::Failure) -> Result<T, Error> {
-    Err(Error::Failed(failure.to_string()))
 }

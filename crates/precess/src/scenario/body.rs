@@ -1,12 +1,14 @@
-//! A body written out in a scenario, `[system.body]`, as parameters of `rolling_body` and `sliding_body`.
+//! A body written out in a scenario, `[system.body]`, as parameters of the systems that take one.
 
 use super::reading::{as_table, entries, line_of, read, word};
 use crate::error::{Error, input, quoted, unknown};
 use crate::value::{Value, shortest};
 use toml::de::{DeTable, DeValue};
 
+/// The system that takes a shape and turns about the origin of its axes: the tip of a cone, the lower end of a profile.
+const ON_A_POINT: &str = "heavy_top";
 /// The systems that take one.
-const FOR: [&str; 2] = ["rolling_body", "sliding_body"];
+const FOR: [&str; 3] = [ON_A_POINT, "rolling_body", "sliding_body"];
 const KEYS: [&str; 4] = ["mass", "inertia", "support", "shape"];
 
 /// The body as it has been read so far.
@@ -34,19 +36,28 @@ pub(super) fn parameters(system: &str, text: &str, table: &DeTable) -> Result<Ve
     if !FOR.contains(&system) {
         return input(format!(
             "only {} take a body that is written out; {} has parameters of its own",
-            FOR.join(" and "),
+            either(FOR),
             quoted(system)
         ));
     }
     let mut body = Body::default();
     let mut words = vec![];
+    let on_a_point = system == ON_A_POINT;
     let shaped = entries(table).iter().any(|(key, _)| key.get_ref() == "shape");
     for (key, value) in entries(table) {
         let key_text = key.get_ref().as_ref();
         let at = |e: Error| e.at(&format!("line {}: {key_text}", line_of(text, key.span().start)));
         match key_text {
-            "support" => body.support = Some(support(as_table(value).map_err(at)?).map_err(at)?),
+            "support" if !on_a_point => {
+                body.support = Some(support(as_table(value).map_err(at)?).map_err(at)?);
+            }
             "shape" => words.insert(0, word(value).map_err(at)?),
+            other if on_a_point && !shaped => {
+                return input(format!(
+                    "[system.body]: {ON_A_POINT} takes a shape, not {}; mass, inertia and centre are its own parameters",
+                    quoted(other)
+                ));
+            }
             size if shaped => words.push(format!("{size}={}", spelt(value).map_err(at)?)),
             "mass" => body.mass = Some(read(value).and_then(|v| v.in_unit("kg")).map_err(at)?),
             "inertia" => body.inertia = Some(inertia(&read(value).map_err(at)?).map_err(at)?),
@@ -56,10 +67,42 @@ pub(super) fn parameters(system: &str, text: &str, table: &DeTable) -> Result<Ve
             }
         }
     }
+    if on_a_point {
+        return top(&words).map_err(|e| e.at("[system.body]"));
+    }
     if shaped {
         body.shape(&words)?;
     }
     body.parameters().map_err(|e| e.at("[system.body]"))
+}
+
+/// `a, b and c`.
+fn either<const N: usize>(names: [&str; N]) -> String {
+    let (last, others) = names.split_last().unwrap_or((&"none", &[]));
+    format!("{} and {last}", others.join(", "))
+}
+
+/// Whether a system takes a body.
+pub(crate) fn taken_by(system: &str) -> bool {
+    FOR.contains(&system)
+}
+
+/// A shape as a heavy top that turns about the origin of the shape's axes.
+fn top(words: &[String]) -> Result<Vec<(String, Value)>, Error> {
+    let solid = crate::body::read(words)?;
+    let [[i1, i12, i13], [_, i2, i23], [_, _, i3]] = solid.inertia_about([0.0; 3]);
+    if [i12, i13, i23] != [0.0; 3] {
+        return input(format!(
+            "the axes of this body are not its principal axes at the fixed point, which {ON_A_POINT} needs"
+        ));
+    }
+    let numbers = [("m", solid.mass), ("i1", i1), ("i2", i2), ("i3", i3)];
+    let centre = Value::List(solid.centre.map(Value::number).into());
+    Ok(numbers
+        .map(|(name, x)| (name.to_string(), Value::number(x)))
+        .into_iter()
+        .chain([("centre".to_string(), centre)])
+        .collect())
 }
 
 /// A size of a shape, as it is written in a word.
@@ -135,6 +178,10 @@ impl Body {
         self.mass = Some(solid.mass);
         self.inertia = Some(solid.inertia);
         if self.support.is_none() {
+            // What touches the table is the hull, and this would roll on it as if it were there.
+            if let Some(why) = crate::body::hollow(words) {
+                return input(format!("[system.body]: {why}"));
+            }
             let Some(form) = solid.form() else {
                 return input(format!(
                     "[system.body]: the surface of a {} has flat faces or edges, which do not roll here: give the \

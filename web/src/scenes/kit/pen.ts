@@ -3,6 +3,7 @@
 import type { Ink } from "../../draw/ink";
 import type { Brush } from "../../draw/svg";
 import type { Look } from "../../lab/result";
+import type { Window } from "../../lab/window";
 
 export type Point = [x: number, y: number];
 
@@ -38,6 +39,10 @@ export class Pen {
       (px - this.#w / 2) / this.#scale + this.#centre[0],
       (this.#h / 2 - py) / this.#scale + this.#centre[1],
     ];
+  }
+  /** What the picture shows. */
+  get window(): Window {
+    return { centre: this.#centre, half: [this.#w / 2 / this.#scale, this.#h / 2 / this.#scale] };
   }
   /** How far the picture reaches to each side. */
   get half(): number {

@@ -2,7 +2,7 @@
 // The angular momentum stands upright, whatever its direction in the run.
 
 import type { Look } from "../../lab/result";
-import type { Colour, Piece, Place, Solid, Turn } from "./scene";
+import type { Colour, NamedGraph, Piece, Place, Solid, Turn } from "./scene";
 import { attitude, surface, turned } from "./table";
 
 const place = (look: Look, k: number, names: readonly [string, string, string]): Place =>
@@ -95,3 +95,15 @@ export const cones: Solid = {
   centre: (look) => [0, 0, 0.3 * Math.hypot(...inBody(look, 0))],
   frame: upright,
 };
+
+const polhode = (across: 1 | 2 | 3, up: 1 | 2 | 3): NamedGraph => ({
+  title: { en: `Polhode, along axes ${across} and ${up}`, fr: `Polhodie, selon les axes ${across} et ${up}` },
+  pair: [`omega${across}`, `omega${up}`],
+});
+/** The end of the axis of rotation, in the body. */
+export const inBodyAxes: NamedGraph[] = [polhode(1, 2), polhode(1, 3), polhode(2, 3)];
+/** And on the plane that the ellipsoid rolls on. */
+export const polhodes: NamedGraph[] = [
+  ...inBodyAxes,
+  { title: { en: "Herpolhode", fr: "Herpolhodie" }, pair: ["herpolhode_x", "herpolhode_y"] },
+];

@@ -13,6 +13,8 @@ export interface Flat {
   /** The middle, where it is not the origin. */
   centre?: (look: Look) => Point;
   draw: (pen: Pen, look: Look, sample: number) => void;
+  /** The coordinates across and upwards, where what has a place in the parameters (magnets) is drawn and can be moved. */
+  places?: [string, string];
   /** What the start becomes where a person drags to a place. */
   drag?: (look: Look, sample: number, x: number, y: number) => Record<string, number>;
 }
@@ -72,10 +74,17 @@ export type Piece =
 
 export type Scene = Flat | Solid;
 
-/** A file beside this folder: the system's scene, and others of its kind that show it in another way. */
+/** A graph that has a name of its own: one quantity against another, on equal scales. */
+export interface NamedGraph {
+  title: Text;
+  pair: [x: string, y: string];
+}
+
+/** A file beside this folder: the system's scene, others of its kind that show it in another way, and graphs with a name. */
 export interface SceneFile {
   default: Scene;
   others?: { title: Text; scene: Scene }[];
+  graphs?: NamedGraph[];
 }
 export type { Ink };
 

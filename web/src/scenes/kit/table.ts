@@ -1,5 +1,6 @@
 // A convex body on a table: its support function h(n) = point.n + radius |n| + |axes n| gives the surface that is drawn.
 
+import { bodyIn, outline } from "../../lab/body";
 import type { Look } from "../../lab/result";
 import { turnOf, type Piece, type Place, type Solid, type Turn } from "./scene";
 
@@ -72,10 +73,17 @@ export function touch(look: Look, k: number): Place {
   return surface(supportOf(look))(turned([-x, -y, -z, w], [0, 0, -1]));
 }
 
-/** The body as its support function has it. */
-const plain = (look: Look): Piece[] => [
-  { shape: "convex", surface: surface(supportOf(look)), colour: "ink" },
-];
+/** The body as it was drawn, or as its support function has it. */
+const plain = (look: Look): Piece[] => {
+  const drawn = bodyIn(look.result.scenario);
+  if (!drawn) return [{ shape: "convex", surface: surface(supportOf(look)), colour: "ink" }];
+  // It stands on its lower end; body axes begin at the centre of mass.
+  const profile = outline(drawn, supportOf(look).point[2]);
+  return [
+    { shape: "turned", profile, colour: "ink" },
+    { shape: "stripe", profile },
+  ];
+};
 
 /** The scene of a body that goes about on a table, with its contact point drawn on both. */
 export function onTable(body: (look: Look) => Piece[] = plain, room = 1.7): Solid {

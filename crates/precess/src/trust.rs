@@ -4,13 +4,13 @@
 //! both grow exponentially. The shadow has twice the digits and a tolerance of 1e-22, so up to the horizon its own error
 //! does not count.
 
-use super::subject::{failed, forwards, smooth};
-use super::{Answer, Progress, table};
+use crate::answer::{Answer, Progress, table};
 use crate::canonical::scenario_toml;
 use crate::error::{Error, input};
 use crate::figure::{Curve, Figure, Panel, Stroke};
 use crate::picture::{axis, subtitle};
 use crate::plan::Plan;
+use crate::premises::{failed, forwards, smooth};
 use crate::run::run;
 use crate::scenario::Scenario;
 use crate::value::shortest;
