@@ -54,6 +54,7 @@ bench: $(PRECESS)
 	  else for form in plain shared warm; do set -- "$$@" --peer "heyoka-$$form=$(HEYOKA) $$form"; done; fi; \
 	done; \
 	$(PRECESS) bench $(BENCH) "$$@"
+	@$(BENCH_PYTHON) -B benches/tops/cone_peers.py $(PRECESS)
 	@if $(BENCH_PYTHON) -B -c "import mujoco" 2>/dev/null; then \
 	  $(BENCH_PYTHON) -B benches/tops/mujoco_tops.py $(PRECESS); \
 	else echo "precess: mujoco is skipped, since $(BENCH_PYTHON) does not have it (see benches/peers/README.md)" >&2; fi
