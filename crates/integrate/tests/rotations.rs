@@ -50,7 +50,7 @@ impl<S: Scalar> Field<S> for Top {
 fn constants(y: &[f64]) -> [f64; 3] {
     let &[w, a, b, c, o1, o2, o3] = y else { panic!("seven numbers") };
     let gamma = [(a * c - w * b) * 2.0, (b * c + w * a) * 2.0, w * w - a * a - b * b + c * c];
-    let kinetic = (I1 * (o1 * o1 + o2 * o2) + I3 * o3 * o3) / 2.0;
+    let kinetic = (I1 * (o1 * o1 + o2 * o2) + I3 * o3 * o3) * 0.5;
     let momentum = I1 * (o1 * gamma[0] + o2 * gamma[1]) + I3 * o3 * gamma[2];
     [kinetic + MASS_G_D * gamma[2], momentum, w * w + a * a + b * b + c * c]
 }

@@ -59,7 +59,7 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
     }
 
     /// The loop goes on as long as it comes closer, however close: what is left out of every step alike adds up.
-    pub fn to_the_end(self) -> Self {
+    pub fn exhaustive(self) -> Self {
         Self { far_below: 0.0, ..self }
     }
 

@@ -69,7 +69,7 @@ impl Method for LieMidpoint {
             carry: Carry::new(shape.size()),
             step: zeros.clone(),
             next: zeros,
-            settling: Settling::new(shape, options.epsilon).to_the_end(),
+            settling: Settling::new(shape, options.epsilon).exhaustive(),
             evaluations: 0,
         }
     }

@@ -1,7 +1,7 @@
 //! A raw egg: a simple model of two bodies, and no more than that.
 //!
 //! What is liquid is taken for one ball, the core, that turns about the egg's centre inside a rigid shell; both rub like a
-//! viscous film would. With omega of the shell, Omega of the core (I_c its inertia, any axis) and the coupling k:
+//! viscous film would. With omega of the shell, Omega of the core (`I_c` its inertia, any axis) and the coupling k:
 //!
 //!     I omega' + omega x I omega = (the table) - k (omega - Omega),     I_c Omega' = k (omega - Omega)   (Omega in space)
 //!     energy' = friction.slip - k |omega - Omega|^2
@@ -9,7 +9,7 @@
 //! The core stays in the centre, so it adds its weight (m is the whole mass) and its turning, and nothing else: no sloshing, no
 //! yolk off the centre, no flow inside the liquid. What one sees with an egg on a table is in it all the same. The
 //! shell's spin sinks quickly to what both have together; an egg that is stopped for a moment and let go turns on. A very large
-//! coupling makes it the boiled egg of inertia I + I_c, which a test holds it against.
+//! coupling makes it the boiled egg of inertia `I + I_c`, which a test holds it against.
 //!
 //! Without a table's friction the vertical angular momentum of both is constant.
 
