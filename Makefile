@@ -55,11 +55,15 @@ bench: $(PRECESS)
 	done; \
 	$(PRECESS) bench $(BENCH) "$$@"
 	@if $(BENCH_PYTHON) -B -c "import heyoka" 2>/dev/null; then \
-	  $(BENCH_PYTHON) -B benches/magnets/heyoka_basins.py $(PRECESS) && $(BENCH_PYTHON) -B benches/tops/heyoka_cone.py $(PRECESS); \
-	else echo "precess: basins and a long top beside heyoka are skipped, since $(BENCH_PYTHON) does not have it" >&2; fi
+	  $(BENCH_PYTHON) -B benches/magnets/heyoka_basins.py $(PRECESS); \
+	else echo "precess: basins beside heyoka are skipped, since $(BENCH_PYTHON) does not have it" >&2; fi
 	@if $(BENCH_PYTHON) -B -c "import numpy" 2>/dev/null; then \
 	  $(BENCH_PYTHON) -B benches/bodies/three_bodies.py $(PRECESS); \
 	else echo "precess: three bodies are skipped, since $(BENCH_PYTHON) does not have numpy" >&2; fi
+	@if $(BENCH_PYTHON) -B -c "import rebound" 2>/dev/null; then \
+	  $(BENCH_PYTHON) -B benches/bodies/rebound_cluster.py $(PRECESS); \
+	else echo "precess: rings of asteroids are skipped, since $(BENCH_PYTHON) does not have rebound" >&2; fi
+	@$(BENCH_PYTHON) -B benches/tops/cone_peers.py $(PRECESS)
 	@if $(BENCH_PYTHON) -B -c "import mujoco" 2>/dev/null; then \
 	  $(BENCH_PYTHON) -B benches/tops/mujoco_tops.py $(PRECESS); \
 	else echo "precess: mujoco is skipped, since $(BENCH_PYTHON) does not have it (see benches/peers/README.md)" >&2; fi

@@ -16,7 +16,8 @@ pub(crate) fn diagonal<S: Scalar>([a, b, c]: Vector<S>) -> Matrix<S> {
 /// Matrix times vector.
 #[inline(always)]
 pub(crate) fn apply<S: Scalar>(matrix: Matrix<S>, v: Vector<S>) -> Vector<S> {
-    matrix.map(|row| dot(row, v))
+    // No closure: what the standard library calls back may stay a call, which lanes' instructions do not reach.
+    [dot(matrix[0], v), dot(matrix[1], v), dot(matrix[2], v)]
 }
 
 /// Huygens and Steiner: what mass `m` adds at a point whose vector to G (or from it) is `arm` (T, section 3.2),

@@ -65,6 +65,7 @@ pub static ALL: &[&dyn AnySystem] = &[
     &table::sliding_body::SLIDING_BODY,
     &table::tippe_top::TIPPE_TOP,
     &table::spinning_egg::SPINNING_EGG,
+    &table::raw_egg::RawEgg,
     &table::sliding_cone::SLIDING_CONE,
     &table::rounded_top::ROUNDED_TOP,
     &table::billiard_ball::BILLIARD_BALL,

@@ -30,7 +30,7 @@ pub(crate) fn to_space<S: Scalar>([w, x, y, z]: Quaternion<S>, v: Vector<S>) -> 
         [(x * y + w * z) * 2.0, w * w - x * x + y * y - z * z, (y * z - w * x) * 2.0],
         [(x * z - w * y) * 2.0, (y * z + w * x) * 2.0, w * w - x * x - y * y + z * z],
     ];
-    rows.map(|row| dot(row, v))
+    [dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)]
 }
 
 /// The product of two quaternions: first the turn `b`, then `a`.

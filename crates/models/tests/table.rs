@@ -226,6 +226,15 @@ fn sliding_with_much_friction_tends_to_rolling() {
     assert!((some / more - 2.0).abs() < 0.1 && more < 0.02, "{some} {more}");
 }
 
+/// The kinetic energy of a body that rolls is a sum over the axes about which it turns.
+#[test]
+fn the_kinetic_energy_of_a_rattleback_is_shared_out() {
+    let stone = ready("rattleback");
+    let y = stone.start(&[("omega1", 2.0), ("omega2", -1.5), ("omega3", 4.0)]).expect("a start");
+    let parts: f64 = ["kinetic1", "kinetic2", "kinetic3"].iter().map(|name| stone.observe(&y, name)).sum();
+    close(parts, stone.observe(&y, "kinetic"), 1e-14);
+}
+
 /// Hertz: without slip the contact spot resists turning with (3 pi / 16) mu N a; without turning it is Coulomb's law.
 #[test]
 fn a_drilling_contact_has_its_limits() {
@@ -237,6 +246,70 @@ fn a_drilling_contact_has_its_limits() {
     close(-i3 * turning[6], 3.0 * std::f64::consts::PI / 16.0 * mu * normal * 1e-3, 1e-5);
     let slipping = ball.rate(&ball.start(&[("omega3", 0.0), ("x_dot", 1e3)]).expect("a start"));
     close(-slipping[9], mu * 9.81, 1e-9);
+}
+
+/// A core that turns with its shell is part of a rigid body; one that does not, keeps its angular velocity.
+#[test]
+fn a_raw_egg_lies_between_a_boiled_one_and_a_hollow_one() {
+    let start = [("omega1", 3.0), ("omega2", 60.0), ("omega3", 1.0), ("theta", 1.2), ("x_dot", 0.1)];
+    let mut boiled = ready("spinning_egg");
+    let mut raw = ready("raw_egg");
+    for name in ["i1", "i3"] {
+        boiled.set(name, raw.value(name) + raw.value("core"));
+    }
+    let end = |egg: &Ready, more: &[(&str, f64)], dt: f64| {
+        let all: Vec<_> = start.iter().chain(more).copied().collect();
+        let y = egg.start(&all).expect("a start");
+        follow(egg, y, dt, (0.2 / dt).round() as usize, &mut |_, _| {})
+    };
+    for egg in [&mut boiled, &mut raw] {
+        egg.set("epsilon", 0.05);
+    }
+    let rigid = end(&boiled, &[], 1e-4);
+    // Turning with the shell at the start: R omega.
+    let y = boiled.start(&start).expect("a start");
+    let (sin, cos) = Scalar::sin_cos(1.2);
+    let together = [("core_x", 3.0), ("core_y", cos * 60.0 - sin), ("core_z", sin * 60.0 + cos)];
+    close(boiled.observe(&y, "spin"), together[2].1, 1e-12);
+    // The core lags by I_c omega' / k: an error that halves as the coupling doubles.
+    let off = |coupling: f64, dt: f64| {
+        let mut stiff = ready("raw_egg");
+        stiff.set("epsilon", 0.05);
+        stiff.set("coupling", coupling);
+        let found = end(&stiff, &together, dt);
+        (0..4).map(|i| (found[i] - rigid[i]).abs()).sum::<f64>()
+    };
+    let (some, more) = (off(0.01, 1e-4), off(0.02, 1e-4));
+    assert!((some / more - 2.0).abs() < 0.1 && more < 0.02, "{some} {more}");
+    raw.set("coupling", 0.0);
+    let alone = end(&raw, &together, 1e-4);
+    for (i, (_, value)) in together.iter().enumerate() {
+        close(alone[7 + i], *value, 1e-15);
+    }
+}
+
+/// Friction and film take what the energy loses; without friction the vertical angular momentum of both stays.
+#[test]
+fn a_raw_egg_accounts_for_its_energy() {
+    let mut egg = ready("raw_egg");
+    egg.set("epsilon", 0.05);
+    let start = egg.start(&[("x_dot", 0.2), ("core_x", 5.0), ("core_z", -30.0)]).expect("a start");
+    let (dt, steps) = (2e-5, 5000);
+    let (mut powers, mut energies) =
+        (vec![egg.observe(&start, "power")], vec![egg.observe(&start, "energy")]);
+    follow(&egg, start.clone(), dt, steps, &mut |_, y| {
+        powers.push(egg.observe(y, "power"));
+        energies.push(egg.observe(y, "energy"));
+    });
+    // Simpson's rule.
+    let weight = |k: usize| if k == 0 || k == steps { 1.0 } else { 2.0 + 2.0 * (k % 2) as f64 };
+    let work: f64 = powers.iter().enumerate().map(|(k, p)| weight(k) * p * dt / 3.0).sum();
+    assert!(work < -0.1 * energies[0], "{work}");
+    assert!((energies[steps] - energies[0] - work).abs() < 1e-10 * energies[0], "{work} {energies:?}");
+    egg.set("mu", 0.0);
+    let before = egg.observe(&start, "Lz");
+    let after = follow(&egg, start, dt, steps, &mut |_, _| {});
+    close(egg.observe(&after, "Lz"), before, 1e-12);
 }
 
 #[test]

@@ -178,6 +178,19 @@ fn a_tippe_top_that_is_dropped_keeps_jelletts_quantity() {
     assert!(lands > 5 && run.trajectory.events.iter().any(|event| event.name == "sticks"), "{lands}");
 }
 
+/// Under much friction Painleve's denominator is another on the other side of N = 0; a free contact is not there to meet it.
+#[test]
+fn a_slender_egg_lifts_off_and_does_not_jam() {
+    let slender = [("a", "0.1"), ("b", "0.02"), ("m", "0.1"), ("i1", "2.08e-4"), ("i3", "1.6e-5")];
+    let table = [("friction", "coulomb"), ("mu", "2"), ("contact", "free"), ("--until", "0.25")];
+    let start = [("-theta", "0.08"), ("-omega1", "0.5"), ("-omega2", "0"), ("-omega3", "0"), ("-y_dot", "1")];
+    let run = go("spinning_egg", &[&slender[..], &table, &start].concat(), None);
+    let events: Vec<&str> = run.trajectory.events.iter().map(|event| event.name.as_str()).collect();
+    assert!(events.contains(&"lifts") && !events.contains(&"jams"), "{events:?}");
+    let normal = run.trajectory.column("normal").expect("a column");
+    assert!(normal.iter().all(|push| *push >= 0.0), "the table does not pull");
+}
+
 /// A block that slides up an inclined table and stays there, or comes back: mu above or below the slope.
 #[test]
 fn a_ball_rolls_down_a_slope_where_friction_is_enough() {

@@ -12,6 +12,9 @@ fn go(system: &str, settings: &[(&str, &str)]) -> Outcome {
         let parsed = || parse(value).expect("a value");
         match name.strip_prefix("--") {
             Some("method") => scenario.method = Some((*value).into()),
+            Some("watch") => {
+                scenario.events.push(precess::EventSpec { when: (*value).into(), ..Default::default() });
+            }
             Some(setting) => Scenario::set(&mut scenario.run, setting, parsed()),
             None => match name.strip_prefix('-') {
                 Some(start) => Scenario::set(&mut scenario.start, start, parsed()),
@@ -281,4 +284,33 @@ fn closed_forms_and_simulations_agree() {
     columns("free_body", &[("-omega1", "0.01"), ("-omega2", "4"), ("-omega3", "0.01")], &attitude, 1e-9);
     columns("free_body", &[("i1", "3"), ("i2", "1"), ("i3", "2.5"), ("-omega3", "-2")], &attitude, 1e-11);
     columns("free_body", &[("i1", "2"), ("i2", "2"), ("i3", "1")], &attitude, 1e-11);
+}
+
+/// Where a simulated rate passes zero, the closed form's has at most what 1e-12 s would change: the period of nutation with the
+/// precession in it, and the time in which a free body turns over.
+#[test]
+fn closed_forms_and_simulations_turn_at_the_same_time() {
+    for (id, when, rate, change, precession) in [
+        ("gyroscope", "theta_dot = 0", "theta_dot", 30.0, Some("psi")),
+        ("free_body", "omega2 = 0", "omega2", 1.5, None),
+    ] {
+        let simulated = go(id, &[&FINE[..3], &[("--watch", when)]].concat());
+        let times: Vec<f64> =
+            simulated.trajectory.events.iter().map(|event| event.t).filter(|t| *t < 5.0).collect();
+        assert!(times.len() >= 2, "{id}: {times:?}");
+        for t in times {
+            let until = format!("{t:?}");
+            let until = [("--until", until.as_str()), ("--every", until.as_str())];
+            let exact = go(id, &[&until[..], &[("--method", "exact"), ("--dt", "0.1")]].concat());
+            let off = last(&exact, rate).abs() / change;
+            println!("{id} at {t}: {off:.1e} s");
+            assert!(off < 1e-12, "{id} turns {off:e} s beside {t}");
+            if let Some(angle) = precession {
+                let there = go(id, &[&FINE[..2], &until].concat());
+                assert!(
+                    (last(&there, angle) - last(&exact, angle)).abs() < 1e-12 * (1.0 + last(&exact, angle))
+                );
+            }
+        }
+    }
 }

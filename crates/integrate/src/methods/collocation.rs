@@ -15,6 +15,7 @@
 //! The stages of an iteration do not wait for each other: where they fill the lanes of a register, one trajectory computes
 //! several at once.
 
+use super::compensated::Carry;
 use super::fixed_point::{MOST_ITERATIONS, Settling};
 use crate::coefficient::Coefficient;
 use crate::{NoConvergence, Step, Stepper};
@@ -44,8 +45,8 @@ struct Common<S: Scalar> {
     plain: Vec<usize>,
     /// The rate at the start.
     rate: Vec<S>,
-    /// What rounding has left out of the state at the start, and at the end.
-    carry: Option<[Vec<S>; 2]>,
+    /// Where the sum of the steps is compensated.
+    carry: Option<Carry<S>>,
     /// The length of the step whose rates the stages still hold; no number before the first.
     last: S,
     /// Where another length begins, for each row.
@@ -132,7 +133,7 @@ impl<S: Scalar> Collocation<S> {
                 weights: table.nodes.iter().map(|[_, b]| number(*b)).collect(),
                 plain: (0..shape.size()).filter(|i| !pairs.iter().any(|(x, _)| x == i)).collect(),
                 pairs,
-                carry: compensated.then(|| [zeros.clone(), zeros.clone()]),
+                carry: compensated.then(|| Carry::new(shape.size())),
                 rate: zeros,
                 last: S::from(f64::NAN),
                 fresh: vec![S::always(); shape.rows],
@@ -313,10 +314,8 @@ impl<S: Scalar> Stepper<S> for Collocation<S> {
 
     #[inline(always)]
     fn accept(&mut self, accepted: S::Mask) {
-        if let Some([start, end]) = &mut self.common.carry {
-            for (start, end) in start.iter_mut().zip(end) {
-                *start = S::select(accepted, *end, *start);
-            }
+        if let Some(carry) = &mut self.common.carry {
+            carry.accept(accepted);
         }
     }
     fn restart(&mut self) {
@@ -324,8 +323,8 @@ impl<S: Scalar> Stepper<S> for Collocation<S> {
     }
     fn begin(&mut self, lanes: S::Mask) {
         self.common.last = S::select(lanes, S::from(f64::NAN), self.common.last);
-        for carry in self.common.carry.iter_mut().flatten().flatten() {
-            *carry = S::select(lanes, S::from(0.0), *carry);
+        if let Some(carry) = &mut self.common.carry {
+            carry.begin(lanes);
         }
     }
     fn residual(&self) -> S {
@@ -348,7 +347,7 @@ impl<S: Scalar> Common<S> {
     #[inline(always)]
     fn left_out(&self, i: usize) -> S {
         match &self.carry {
-            Some([carry, _]) => carry[i],
+            Some(carry) => carry.left_out(i),
             None => S::from(0.0),
         }
     }
@@ -363,16 +362,10 @@ impl<S: Scalar> Common<S> {
             out[x] = h * weighted::<S, L, S>(&self.weights, &stages.states, v);
         }
         for (i, out) in out.iter_mut().enumerate() {
-            let Some([start, end]) = &mut self.carry else {
-                *out = y[i] + *out;
-                continue;
+            *out = match &mut self.carry {
+                Some(carry) => carry.add(i, y[i], *out),
+                None => y[i] + *out,
             };
-            // What the rounding of the sum leaves out, exactly (Knuth).
-            let increment = *out + start[i];
-            let sum = y[i] + increment;
-            let part = sum - y[i];
-            end[i] = (y[i] - (sum - part)) + (increment - part);
-            *out = sum;
         }
     }
 }

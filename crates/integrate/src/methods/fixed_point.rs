@@ -41,6 +41,7 @@ pub(super) struct Settling<S: Scalar, const BACK: usize> {
     size: Vec<S>,
     row: Vec<usize>,
     epsilon: f64,
+    far_below: f64,
 }
 
 impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
@@ -53,7 +54,13 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
             size: zeros,
             row: shape.row_of_each(),
             epsilon,
+            far_below: FAR_BELOW,
         }
+    }
+
+    /// The loop goes on as long as it comes closer, however close: what is left out of every step alike adds up.
+    pub fn exhaustive(self) -> Self {
+        Self { far_below: 0.0, ..self }
     }
 
     /// A step begins at a state.
@@ -105,7 +112,7 @@ impl<S: Scalar, const BACK: usize> Settling<S, BACK> {
         for row in 0..self.moving.len() {
             let (change, size) = (self.change[row].sqrt(), self.size[row].sqrt() * self.epsilon);
             let stays = self.before[BACK - 1][row].le(change) & change.le(size);
-            self.moving[row] = self.moving[row] & !(stays | change.le(size * FAR_BELOW));
+            self.moving[row] = self.moving[row] & !(stays | change.le(size * self.far_below));
             rest &= S::all(!self.moving[row]);
             let mut newest = change;
             for before in &mut self.before {

@@ -11,11 +11,16 @@
 //! With I omega' = I omega x omega + AG x (-m g gamma), gamma = R^T k, this keeps exactly: |q|; the angular momentum in space where
 //! there is no weight, since `I (omega1 - omega0) = h I omega_m x omega_m` is the same turn; and for a heavy top energy and
 //! `L_Az`, since `gamma1 - gamma0 = h (gamma0 + gamma1)/2 x omega_m` and the average of both weights is that of their mean. Symmetric, of
-//! order 2. Over 10^7 steps a free body (h = 0.05) keeps energy to 3e-13, the angular momentum in space to 8e-13 and its size to
-//! 2e-13, all without trend; T's cone (h = 0.001) energy to 2e-12 and `L_Az` to 4e-12, by roundings that add up, 4e-19 a step.
+//! order 2.
+//!
+//! That holds of the rule, not of its roundings: a small one that is alike in every step adds up. So the loop goes on for as
+//! long as it comes closer, and the sums carry what their rounding leaves out. Over 10^7 steps of h = 0.001 T's cone keeps energy
+//! to 3e-14 and `L_Az` to 1.2e-13, relative and without trend (`tests/rotations.rs`).
+//!
 //! Without an attitude in the state it is the implicit midpoint rule. (J. C. Simo and K. K. Wong, Int. J. Numer. Meth. Eng.
 //! 31, 19, 1991; E. Hairer, Ch. Lubich, G. Wanner, *Geometric Numerical Integration*, VII.5.)
 
+use super::compensated::Carry;
 use super::fixed_point::{EPSILON_AT_LEAST, MOST_ITERATIONS, Settling};
 use crate::{Kind, Method, MethodCard, Needs, NoConvergence, Options, Step, Stepper};
 use precess_scalar::Scalar;
@@ -61,8 +66,10 @@ impl Method for LieMidpoint {
             attitudes,
             states: [zeros.clone(), zeros.clone()],
             rates: [zeros.clone(), zeros.clone()],
+            carry: Carry::new(shape.size()),
+            step: zeros.clone(),
             next: zeros,
-            settling: Settling::new(shape, options.epsilon),
+            settling: Settling::new(shape, options.epsilon).exhaustive(),
             evaluations: 0,
         }
     }
@@ -76,7 +83,9 @@ pub struct Steps<S: Scalar> {
     /// The middle with the first attitude and with the last, and the rates there.
     states: [Vec<S>; 2],
     rates: [Vec<S>; 2],
-    /// The next iterate.
+    /// What the sum of the steps leaves out; what this step adds, and the next iterate of that.
+    carry: Carry<S>,
+    step: Vec<S>,
     next: Vec<S>,
     /// Places follow velocities, so changes get smaller every second time.
     settling: Settling<S, 2>,
@@ -110,11 +119,14 @@ impl<S: Scalar> Steps<S> {
     #[inline(always)]
     fn iterate(&mut self, step: &Step<S>) {
         let (y, h) = (step.y, step.h);
-        for (state, attitude) in self.states.iter_mut().zip([y, &*step.out]) {
-            state.copy_from_slice(attitude);
-            for &i in &self.plain {
-                state[i] = (y[i] + step.out[i]) * 0.5;
-            }
+        let [first, last] = &mut self.states;
+        for (i, y) in y.iter().enumerate() {
+            first[i] = *y;
+            last[i] = *y + (self.step[i] + self.carry.left_out(i));
+        }
+        for &i in &self.plain {
+            let middle = y[i] + (self.step[i] * 0.5 + self.carry.left_out(i));
+            (first[i], last[i]) = (middle, middle);
         }
         for (state, rate) in self.states.iter().zip(&mut self.rates) {
             step.field.rate(step.t + h * 0.5, state, rate);
@@ -122,16 +134,23 @@ impl<S: Scalar> Steps<S> {
         }
         let [first, last] = &self.rates;
         for &i in &self.plain {
-            self.next[i] = y[i] + h * ((first[i] + last[i]) * 0.5);
+            self.next[i] = h * ((first[i] + last[i]) * 0.5);
         }
         for &k in &self.attitudes {
-            let (q0, q1) = (four(y, k), four(step.out, k));
+            let (q0, q1) = (four(y, k), four(&self.states[1], k));
             let (a, b) = (product(conjugate(q0), four(first, k)), product(conjugate(q1), four(last, k)));
             let half = |i: usize| h * 0.5 * (a[i] + b[i]);
-            let turned = product(q0, [S::from(1.0), half(1), half(2), half(3)]);
-            let square = turned.iter().fold(S::from(0.0), |sum, part| sum + part.squared());
-            let length = square.sqrt();
-            self.next[k..k + 4].copy_from_slice(&turned.map(|part| part / length));
+            let half = [S::from(0.0), half(1), half(2), half(3)];
+            // The product with (1, half) is too long by `longer`, and so is q0 by what its roundings have come to.
+            let [turn, start] = [half, q0].map(|[w, x, y, z]| w * w + x * x + y * y + z * z);
+            let excess = start - 1.0;
+            let square = turn + excess + turn * excess;
+            let length = (square + 1.0).sqrt();
+            let longer = square / (length + 1.0);
+            let turned = product(q0, half);
+            for i in 0..4 {
+                self.next[k + i] = (turned[i] - q0[i] * longer) / length;
+            }
         }
     }
 }
@@ -139,21 +158,35 @@ impl<S: Scalar> Steps<S> {
 impl<S: Scalar> Stepper<S> for Steps<S> {
     #[inline(always)]
     fn step(&mut self, step: &mut Step<S>) -> Result<(), NoConvergence> {
-        step.out.copy_from_slice(step.y);
+        self.step.fill(S::from(0.0));
         self.settling.begin(step.y);
         for _ in 0..MOST_ITERATIONS {
             self.iterate(step);
             self.settling.iterate();
-            for (i, (old, new)) in step.out.iter_mut().zip(&self.next).enumerate() {
+            for (i, (old, new)) in self.step.iter_mut().zip(&self.next).enumerate() {
                 let row = self.settling.row(i);
                 self.settling.add(row, (*new - *old).squared());
                 *old = S::select(self.settling.moving()[row], *new, *old);
             }
             if self.settling.rests() {
+                for (i, out) in step.out.iter_mut().enumerate() {
+                    *out = self.carry.add(i, step.y[i], self.step[i]);
+                }
                 return Ok(());
             }
         }
         Err(NoConvergence { iterations: MOST_ITERATIONS })
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, accepted: S::Mask) {
+        self.carry.accept(accepted);
+    }
+    fn restart(&mut self) {
+        self.carry.begin(S::always());
+    }
+    fn begin(&mut self, lanes: S::Mask) {
+        self.carry.begin(lanes);
     }
     fn residual(&self) -> S {
         self.settling.residual()

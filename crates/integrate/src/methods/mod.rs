@@ -1,6 +1,7 @@
 //! The methods, one file each.
 
 mod collocation;
+mod compensated;
 mod composition;
 pub(crate) mod dop853;
 mod dopri5;

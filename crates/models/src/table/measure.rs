@@ -48,19 +48,27 @@ pub(super) fn observables(top: &Top, card: Card, slides: bool) -> Card {
         card.signal("jellett", "kg m^3/s", en, fr)
     };
     let card = attitude::angles(contact(motion(card)));
-    if !top.form.has_routh() {
-        return card;
-    }
-    card.signal(
-        "routh",
-        "kg m^2/s",
-        "Routh's quantity, constant for a symmetric body that rolls on a sphere",
-        "grandeur de Routh, constante pour un corps symétrique qui roule sur une sphère",
-    )
+    let card = if top.form.has_routh() {
+        let en = "Routh's quantity, constant for a symmetric body that rolls on a sphere";
+        let fr = "grandeur de Routh, constante pour un corps symétrique qui roule sur une sphère";
+        card.signal("routh", "kg m^2/s", en, fr)
+    } else {
+        card
+    };
+    if slides { card } else { shares(card) }
+}
+
+/// A body that rolls turns about its contact point, so the kinetic energy is a sum over the axes.
+fn shares(card: Card) -> Card {
+    (1..=3).fold(card, |card, k| {
+        let en = format!("kinetic energy of the turning about axis {k}");
+        let fr = format!("énergie cinétique de la rotation autour de l'axe {k}");
+        card.signal(&format!("kinetic{k}"), "J", &en, &fr)
+    })
 }
 
 /// Energies, height, spins.
-fn motion(card: Card) -> Card {
+pub(super) fn motion(card: Card) -> Card {
     card.signal("kinetic", "J", "kinetic energy", "énergie cinétique")
         .signal("potential", "J", "potential energy", "énergie potentielle")
         .signal("z", "m", "height of the centre of mass", "hauteur du centre de masse")
@@ -70,7 +78,7 @@ fn motion(card: Card) -> Card {
 }
 
 /// What the table does, and where.
-fn contact(card: Card) -> Card {
+pub(super) fn contact(card: Card) -> Card {
     card.signal("normal", "N", "normal force of the table", "réaction normale de la table")
         .signal("friction_force", "N", "force of friction", "force de frottement")
         .signal(

@@ -18,6 +18,7 @@ mod top;
 pub mod billiard_ball;
 pub mod euler_disk;
 pub mod rattleback;
+pub mod raw_egg;
 pub mod rolling_body;
 pub mod rounded_top;
 pub mod sliding_body;

@@ -28,7 +28,8 @@ pub(super) fn card_of(top: &Top, slides: bool) -> Card {
     (top.run)(observables(top, card, slides))
 }
 
-fn table(card: Card, shaken: bool) -> Card {
+/// Gravity, slope, resistance; and how the table shakes.
+pub(super) fn table(card: Card, shaken: bool) -> Card {
     let card = card
         .parameter(number("g", "m/s^2", 9.81, "gravity", "pesanteur"))
         .parameter(number(
@@ -68,7 +69,8 @@ fn table(card: Card, shaken: bool) -> Card {
     .parameter(number("shake_omega", "rad/s", 0.0, "pulsation of the table", "pulsation de la table"))
 }
 
-fn contact(card: Card) -> Card {
+/// The smooth law of friction alone.
+pub(super) fn smooth(card: Card) -> Card {
     card.parameter(
         number("mu", "", 0.3, "coefficient of friction", "coefficient de frottement").not_negative(),
     )
@@ -82,41 +84,45 @@ fn contact(card: Card) -> Card {
         )
         .positive(),
     )
-    .parameter(
-        number(
-            "speed",
-            "m/s",
-            1.0,
-            "slip of the viscous law at which friction is mu N",
-            "glissement de la loi visqueuse où le frottement vaut mu N",
+}
+
+fn contact(card: Card) -> Card {
+    smooth(card)
+        .parameter(
+            number(
+                "speed",
+                "m/s",
+                1.0,
+                "slip of the viscous law at which friction is mu N",
+                "glissement de la loi visqueuse où le frottement vaut mu N",
+            )
+            .positive(),
         )
-        .positive(),
-    )
-    .parameter(
-        number(
-            "spot",
-            "m",
-            0.0,
-            "radius of the contact spot that drills",
-            "rayon de la tache de contact qui pivote",
+        .parameter(
+            number(
+                "spot",
+                "m",
+                0.0,
+                "radius of the contact spot that drills",
+                "rayon de la tache de contact qui pivote",
+            )
+            .not_negative(),
         )
-        .not_negative(),
-    )
-    .parameter(
-        number(
-            "restitution",
-            "",
-            0.0,
-            "share of the normal speed that an impact gives back (a free contact)",
-            "part de la vitesse normale que rend un choc (contact libre)",
+        .parameter(
+            number(
+                "restitution",
+                "",
+                0.0,
+                "share of the normal speed that an impact gives back (a free contact)",
+                "part de la vitesse normale que rend un choc (contact libre)",
+            )
+            .within(0.0, 1.0),
         )
-        .within(0.0, 1.0),
-    )
-    .parameter(choice("friction", LAWS, "law of friction", "loi de frottement"))
-    .parameter(choice(
-        "contact",
-        CONTACTS,
-        "kept on the table, or free to lift off and land",
-        "maintenu sur la table, ou libre de décoller et de retomber",
-    ))
+        .parameter(choice("friction", LAWS, "law of friction", "loi de frottement"))
+        .parameter(choice(
+            "contact",
+            CONTACTS,
+            "kept on the table, or free to lift off and land",
+            "maintenu sur la table, ou libre de décoller et de retomber",
+        ))
 }

@@ -5,7 +5,7 @@
 //!     sticks   u.d                   the slip passes to the other side of d: it has come to rest, or only turned
 //!     slips    mu N - |f needed|     rolling needs more friction than there is
 //!     jams     denominator - 1/(100 m)   the push grows without bound (Painleve's paradox); reported, nothing more
-//!     lifts    N                     the table would have to pull            (where the contact is free;
+//!     lifts    N, or -N past a jam   the table would have to pull            (where the contact is free;
 //!     lands    z - h(-gamma)         the body is back on the table            z is a coordinate then)
 //!
 //! A contact at rest sticks if the friction that rolling needs is at most mu N; if not it slips against that force. One
@@ -134,12 +134,16 @@ impl Slider {
             out[STICKS] = S::select(slides, ux * dx + uy * dy + about(s, &seen) * ROUNDING, zero);
             out[SLIPS] = S::select(rolls, friction.mu * normal - length([fx, fy]), zero);
         }
+        // What has lifted off no longer presses: friction would pass to the other side there, and the denominator jump.
+        let press = S::select(acts.denominator.lt(zero), -normal, normal);
+        let mut spare = acts.denominator - S::from(0.01) / seen.body.mass;
         if is_free(s.values) {
-            out[LIFTS] = S::select(flies, zero, normal);
+            spare = S::select(zero.lt(press), spare, S::from(1.0) / seen.body.mass);
+            out[LIFTS] = S::select(flies, zero, press);
             let touching = height(&seen)[0];
             out[LANDS] = S::select(flies, s.coordinates[9] - touching * (1.0 - ROUNDING), zero);
         }
-        out[JAMS] = S::select(slides, acts.denominator - S::from(0.01) / seen.body.mass, zero);
+        out[JAMS] = S::select(slides, spare, zero);
     }
 
     /// What an event does to the state.

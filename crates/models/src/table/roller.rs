@@ -8,7 +8,7 @@ use super::regimes::ROLLS;
 use super::rolling::roll;
 use super::top::Top;
 use crate::attitude;
-use crate::inertia::solve;
+use crate::inertia::{apply, solve, transferred};
 use crate::rotation::{cross, dot, quaternion_rate};
 use precess_scalar::Scalar;
 use precess_system::{Card, Given, State, System, Values};
@@ -55,6 +55,13 @@ impl System for Roller {
             regime: S::from(ROLLS),
         };
         measure(self.0, &seen, &found, out);
+        // omega.J omega / 2 with J about the contact point, axis by axis.
+        let inertia = transferred(seen.body.inertia, seen.body.mass, seen.touch.r);
+        let momentum = apply(inertia, seen.omega);
+        let first = out.len() - 3;
+        for k in 0..3 {
+            out[first + k] = seen.omega[k] * momentum[k] * 0.5;
+        }
     }
 
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {

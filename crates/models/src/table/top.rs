@@ -7,7 +7,7 @@ use super::body::{Body, Touch, plus, scaled};
 use super::form::Form;
 use super::ground::Ground;
 use crate::attitude;
-use crate::rotation::{Quaternion, Vector};
+use crate::rotation::{Quaternion, Vector, dot};
 use precess_scalar::Scalar;
 use precess_system::{Card, Parameter, State};
 
@@ -85,6 +85,6 @@ impl<S: Scalar> Seen<S> {
     /// A vector along the table's axes.
     #[inline(always)]
     pub fn on_table(&self, v: Vector<S>) -> Vector<S> {
-        self.rows.map(|row| crate::rotation::dot(row, v))
+        [dot(self.rows[0], v), dot(self.rows[1], v), dot(self.rows[2], v)]
     }
 }

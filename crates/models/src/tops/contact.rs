@@ -21,7 +21,12 @@ pub(super) fn omega_rate<S: Scalar>(
     let [_psi_dot, _theta_dot, phi_dot] = s.v();
     let omega_e = [omega[0], omega[1], omega[2] - phi_dot];
     let carried = cross(omega_e, apply(inertia, omega));
-    solve(inertia, std::array::from_fn(|i| moment[i] - carried[i] - rest[i]))
+    let left = [
+        moment[0] - carried[0] - rest[0],
+        moment[1] - carried[1] - rest[1],
+        moment[2] - carried[2] - rest[2],
+    ];
+    solve(inertia, left)
 }
 
 /// The vertical k in (u, b, a).

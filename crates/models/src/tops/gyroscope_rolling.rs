@@ -40,7 +40,8 @@ impl System for GyroscopeRolling {
         let [m, i1, i3, d, g, moment1, moment2, moment3] = s.p();
         let zero = S::from(0.0);
         let arm = [zero, zero, d];
-        let weight = cross(arm, vertical(s).map(|k| -(m * g * k)));
+        let [k1, k2, k3] = vertical(s);
+        let weight = cross(arm, [-(m * g * k1), -(m * g * k2), -(m * g * k3)]);
         let moment = [weight[0] + moment1, weight[1] + moment2, weight[2] + moment3];
         let inertia = transferred(diagonal([i1, i1, i3]), m, arm);
         let omega_dot = omega_rate(s, inertia, omega(s), moment, [zero; 3]);

@@ -156,13 +156,18 @@ impl System for HeavyTop {
     #[inline(always)]
     fn equations<S: Scalar>(&self, s: &State<S>, highest: &mut [S]) {
         let (attitude, omega) = halves(s);
-        let [m, g] = s.p();
+        let [m, g, i1, i2, i3] = s.p();
         let (inertia, centre) = body(s);
-        let weight = cross(centre, vertical(attitude).map(|gamma| -(m * g * gamma)));
-        let gyration = cross(apply(inertia, omega), omega);
-        let moment = std::array::from_fn(|i| gyration[i] + weight[i]);
+        // Moments about A are principal there: three divisions of which none waits for another, where elimination has a chain.
+        let principal = s.choice(0) == 0;
+        let [o1, o2, o3] = omega;
+        let momentum = if principal { [i1 * o1, i2 * o2, i3 * o3] } else { apply(inertia, omega) };
+        let (gyration, [g1, g2, g3]) = (cross(momentum, omega), vertical(attitude));
+        let weight = cross(centre, [-(m * g * g1), -(m * g * g2), -(m * g * g3)]);
+        let [m1, m2, m3] = [gyration[0] + weight[0], gyration[1] + weight[1], gyration[2] + weight[2]];
         highest[..4].copy_from_slice(&quaternion_rate(attitude, omega));
-        highest[4..7].copy_from_slice(&solve(inertia, moment));
+        let turning = if principal { [m1 / i1, m2 / i2, m3 / i3] } else { solve(inertia, [m1, m2, m3]) };
+        highest[4..7].copy_from_slice(&turning);
     }
 
     #[inline(always)]
