@@ -130,12 +130,17 @@ fn accelerations<S: Scalar>(s: &State<S>, highest: &mut [S]) {
         -(pull_0 * x * weight),
         -(pull_0 * y * weight),
     ]);
-    let places = s.coordinates[2 * HEAVY..].as_chunks().0;
-    for (a, &place) in asteroids.as_chunks_mut().0.iter_mut().zip(places) {
+    let places = &s.coordinates[2 * HEAVY..];
+    // By numbers: what an iterator hands out is copied piece by piece.
+    let mut k = 0;
+    while k + 1 < asteroids.len() && k + 1 < places.len() {
+        let place = [places[k], places[k + 1]];
         let [x, y, weight] = towards(place, [x0, y0]);
         let [u, v, lighter] = towards(place, [x1, y1]);
         let (weight, lighter) = (pull_0 * weight, pull_1 * lighter);
-        *a = [x * weight + u * lighter, y * weight + v * lighter];
+        asteroids[k] = x * weight + u * lighter;
+        asteroids[k + 1] = y * weight + v * lighter;
+        k += 2;
     }
 }
 
