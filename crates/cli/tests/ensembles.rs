@@ -86,7 +86,7 @@ fn what_is_killed_ten_times_ends_with_the_same_bytes() {
     let mut state = 5_u64;
     let mut random = |below: u64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 32) * below >> 32
+        ((state >> 32) * below) >> 32
     };
     let (mut kills, mut resumed) = (0, 0);
     while kills < 10 {

@@ -87,6 +87,9 @@ pub(crate) fn run(
                 some.clone().flat_map(|part| (0..2 * small).map(move |j| now[place(part, j)])).collect();
             let mut ended = false;
             let mut look = |done| {
+                if ended {
+                    return ControlFlow::Break(());
+                }
                 let answer = progress(begin + length * (group + done) as f64 / parts as f64);
                 ended |= answer.is_break();
                 answer
