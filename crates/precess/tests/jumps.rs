@@ -196,7 +196,7 @@ fn an_interrupted_cluster_keeps_what_is_done() {
     };
     let (all, whole) = broken_at(usize::MAX);
     let mut kept = vec![];
-    for last in [1, all / 3, all / 2, all - 1] {
+    for last in [1, all / 3, all / 2, all] {
         let (looks, part) = broken_at(last);
         assert_eq!(looks, last, "nothing is asked after the end");
         let rows = part.trajectory.rows().count();
