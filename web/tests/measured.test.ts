@@ -2,10 +2,9 @@ import { expect, test } from "vitest";
 import { drawPlot } from "../src/draw/plot";
 import { SvgBrush } from "../src/draw/svg";
 import { measured } from "../src/lab/measured";
-import { en } from "../src/words/en";
 import { ink } from "./looks";
 
-const read = (text: string) => measured("swing.csv", text, ["theta", "theta_dot", "energy"], en);
+const read = (text: string) => measured("swing.csv", text, ["theta", "theta_dot", "energy"], "en");
 
 test("names, units, commas: as the terminal reads them", () => {
   const wanted = new Map([

@@ -1,6 +1,18 @@
 // Measured points from a CSV file, to be held against a run: names, then a line for each time, as `precess fit` reads them.
 
-import type { Words } from "../words";
+import type { Language } from "./number";
+
+/** Its own words, which come with it. */
+export const WORDS = {
+  points: { en: "Measured points:", fr: "Points mesurés :" },
+  forget: { en: "remove", fr: "retirer" },
+  line: { en: "Line", fr: "Ligne" },
+  noNumber: { en: "is no number", fr: "n'est pas un nombre" },
+  noPoints: {
+    en: "A table of measured points begins with names, one of them t, and then at least one of",
+    fr: "Un tableau de points mesurés commence par des noms, dont t, puis au moins un de",
+  },
+};
 
 export interface Measured {
   readonly file: string;
@@ -11,7 +23,7 @@ export interface Measured {
 export class Unreadable extends Error {}
 
 /** Reads what a run has under the same names; a semicolon between the fields makes a comma a decimal one. */
-export function measured(file: string, text: string, known: readonly string[], words: Words): Measured {
+export function measured(file: string, text: string, known: readonly string[], language: Language): Measured {
   const lines = text
     .replace(/^\ufeff/, "")
     .split(/\r?\n/)
@@ -24,7 +36,7 @@ export function measured(file: string, text: string, known: readonly string[], w
   const names = fields(head?.line ?? "").map((name) => (name.split("[")[0] ?? "").replaceAll('"', "").trim());
   const shared = names.filter((name) => name !== "t" && known.includes(name));
   if (!names.includes("t") || !shared.length || !body.length) {
-    throw new Unreadable(`${words.noPoints} ${known.join(", ")}`);
+    throw new Unreadable(`${WORDS.noPoints[language]} ${known.join(", ")}`);
   }
   const columns = new Map(["t", ...shared].map((name) => [name, new Float64Array(body.length)]));
   body.forEach(({ line, number }, row) => {
@@ -33,7 +45,9 @@ export function measured(file: string, text: string, known: readonly string[], w
       const field = values[names.indexOf(name)] ?? "";
       const x = Number(semicolons ? field.replace(",", ".") : field);
       if (!field || !Number.isFinite(x)) {
-        throw new Unreadable(`${words.line} ${number}: ${name} ${words.noNumber} ('${field}')`);
+        throw new Unreadable(
+          `${WORDS.line[language]} ${number}: ${name} ${WORDS.noNumber[language]} ('${field}')`,
+        );
       }
       column[row] = x;
     }
