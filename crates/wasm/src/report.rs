@@ -1,5 +1,6 @@
 //! What is said of a result beside its numbers, as JSON.
 
+use precess::basins::Attractor;
 use precess::system::{Column, ColumnKind, Event, Trajectory};
 use precess::{Answer, Drift, Members, Plan, Provenance, scenario_toml};
 use serde_json::{Value, json};
@@ -46,6 +47,16 @@ pub fn ensemble(plan: &Plan, members: &Members) -> Value {
         "failed": members.failures.len(),
         "version": env!("CARGO_PKG_VERSION"),
         "scenario": scenario_toml(plan),
+    })
+}
+
+/// The report of labels: the attractors that they number, by their states.
+pub fn basins(plan: &Plan, attractors: &[Attractor], rows: usize) -> Value {
+    let state = plan.layout.state();
+    json!({
+        "rows": rows,
+        "columns": state.iter().map(|q| json!({ "name": q.name, "unit": q.unit })).collect::<Vec<_>>(),
+        "attractors": attractors.iter().map(|a| &a.state).collect::<Vec<_>>(),
     })
 }
 
