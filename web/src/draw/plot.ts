@@ -78,7 +78,11 @@ export function drawPlot(
   millimetres(pen, f, across, up, ink);
   pen.fillStyle = ink.faint;
   pen.textAlign = "center";
-  for (const x of across) pen.fillText(shown(x, language, 6), px(f, x), f.bottom + 14);
+  for (const x of across) {
+    const text = shown(x, language, 6);
+    // The last one may not stand out of the picture.
+    pen.fillText(text, Math.min(px(f, x), w - pen.measureText(text).width / 2), f.bottom + 14);
+  }
   pen.textAlign = "right";
   for (const y of up) pen.fillText(shown(y, language, 6), f.left - 6, py(f, y) + 4, f.left - 8);
   pen.fillStyle = ink.ink;
