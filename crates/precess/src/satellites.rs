@@ -15,9 +15,9 @@ use std::ops::ControlFlow;
 const EXPLICIT: [&str; 8] =
     ["euler", "euler_taylor", "euler_cromer", "verlet", "yoshida4", "yoshida6", "yoshida8", "rk4"];
 /// Satellites of a part: the rest of the system, which every part computes anew, then costs little beside them.
-const COUNT: usize = 8;
+const COUNT: usize = 16;
 /// Parts whose samples are held at once.
-const TOGETHER: usize = 512;
+const TOGETHER: usize = 256;
 /// Lots of samples in which a run is recorded.
 const LOTS: u64 = 64;
 

@@ -44,7 +44,7 @@ pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) ->
     let ((crossings, failure), panel) = of_plan(&plan, spec, progress)?;
     let state = plan.layout.shape().state();
     let table = Trajectory {
-        columns: columns(&plan)[..=state].to_vec(),
+        columns: columns(&plan).first(1 + state),
         numbers: crossings
             .iter()
             .flat_map(|c| std::iter::once(c.t).chain(c.state[..state].to_vec()))
