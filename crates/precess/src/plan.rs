@@ -178,7 +178,7 @@ impl Plan {
 
     /// How many there are.
     pub fn width(&self) -> usize {
-        1 + self.layout.shape().state() + self.layout.observables.len()
+        1 + self.layout.state_size() + self.layout.observables.len()
     }
 
     /// Whether the `k`-th observable ought to stay constant with these parameters.
@@ -365,7 +365,7 @@ impl Plan {
 
 /// What stands in column `k` of the result: the time, then the state, then the observables.
 pub(crate) fn column(layout: &Layout, k: usize) -> Quantity {
-    let state = layout.shape().state();
+    let state = layout.state_size();
     match k {
         0 => precess_system::quantity("t", "s", "time", "temps"),
         k if k <= state => layout.quantity(k - 1),

@@ -16,18 +16,20 @@ pub trait Swarm: Debug + Send + Sync {
     fn start(&self, k: usize) -> [f64; 2];
 }
 
-/// Those that are written out, then those of a swarm.
+/// Those that are written out, then those of a swarm, if there is one.
 #[derive(Clone, Debug)]
 pub struct Coordinates {
     written: Vec<Coordinate>,
     swarm: Option<Arc<dyn Swarm>>,
     second: Second,
+    attitudes: Vec<usize>,
 }
 
 impl From<Vec<Coordinate>> for Coordinates {
     fn from(written: Vec<Coordinate>) -> Self {
         let second = Second::of(written.iter().map(|c| c.order == Order::Second));
-        Self { written, swarm: None, second }
+        let attitudes = (0..written.len()).filter(|&i| written[i].begins_attitude).collect();
+        Self { written, swarm: None, second, attitudes }
     }
 }
 
@@ -47,10 +49,14 @@ impl Coordinates {
         assert!(written.second == Second::All, "what a swarm follows is of second order");
         Self { swarm: Some(Arc::new(swarm)), ..written }
     }
-    /// Adds one to those that are written out.
+    /// Adds one behind those that are written out.
+    ///
+    /// # Panics
+    /// Where a swarm follows them.
     pub fn push(&mut self, coordinate: Coordinate) {
+        assert!(self.swarm.is_none(), "nothing comes behind a swarm");
         self.written.push(coordinate);
-        *self = Self { swarm: self.swarm.take(), ..Self::from(std::mem::take(&mut self.written)) };
+        *self = std::mem::take(&mut self.written).into();
     }
     /// How many.
     pub fn len(&self) -> usize {
@@ -65,8 +71,8 @@ impl Coordinates {
         &self.second
     }
     /// At which of them an attitude begins.
-    pub fn attitudes(&self) -> Vec<usize> {
-        (0..self.written.len()).filter(|&i| self.written[i].begins_attitude).collect()
+    pub fn attitudes(&self) -> &[usize] {
+        &self.attitudes
     }
     /// All, one after another.
     pub fn iter(&self) -> impl Iterator<Item = Coordinate> + '_ {
@@ -91,7 +97,7 @@ impl Coordinates {
             _ => self.written[i].quantity.clone(),
         }
     }
-    /// The velocities, as quantities: of each that has one.
+    /// Velocity number `k` as a quantity.
     pub fn velocity(&self, k: usize) -> Quantity {
         rate(&self.quantity(self.second.coordinate(k)))
     }

@@ -33,12 +33,17 @@ impl Layout {
         Shape {
             coordinates: self.coordinates.len(),
             second: self.coordinates.second().clone(),
-            attitudes: self.coordinates.attitudes(),
+            attitudes: self.coordinates.attitudes().to_vec(),
             modes: self.modes,
             observables: self.observables.len(),
             events: self.events.len(),
             rows: 1,
         }
+    }
+    /// Numbers of the state: coordinates and velocities.
+    pub fn state_size(&self) -> usize {
+        let coordinates = self.coordinates.len();
+        coordinates + self.coordinates.second().count(coordinates)
     }
     /// The quantity that stands at number `j` of the state.
     pub fn quantity(&self, j: usize) -> Quantity {
@@ -49,7 +54,7 @@ impl Layout {
     }
     /// The quantities of the state in order, one after another: coordinates, then velocities.
     pub fn quantities(&self) -> impl Iterator<Item = Quantity> + '_ {
-        (0..self.shape().state()).map(|j| self.quantity(j))
+        (0..self.state_size()).map(|j| self.quantity(j))
     }
     /// All of them at once.
     pub fn state(&self) -> Vec<Quantity> {

@@ -17,19 +17,27 @@ impl Second {
         }
         Self::These(each.enumerate().filter(|(_, second)| *second).map(|(i, _)| i).collect())
     }
+    /// How many of so many coordinates.
+    #[inline(always)]
+    pub fn count(&self, coordinates: usize) -> usize {
+        match self {
+            Self::All => coordinates,
+            Self::These(these) => these.len(),
+        }
+    }
     /// The coordinate to which velocity number `k` belongs.
     #[inline(always)]
     pub fn coordinate(&self, k: usize) -> usize {
         match self {
             Self::All => k,
-            Self::These(coordinates) => coordinates[k],
+            Self::These(these) => these[k],
         }
     }
     /// Whether coordinate number `i` has a velocity.
     pub fn contains(&self, i: usize) -> bool {
         match self {
             Self::All => true,
-            Self::These(coordinates) => coordinates.binary_search(&i).is_ok(),
+            Self::These(these) => these.binary_search(&i).is_ok(),
         }
     }
 }
@@ -61,10 +69,7 @@ impl Shape {
     /// Number of velocities of a row.
     #[inline(always)]
     pub fn velocities(&self) -> usize {
-        match &self.second {
-            Second::All => self.coordinates,
-            Second::These(coordinates) => coordinates.len(),
-        }
+        self.second.count(self.coordinates)
     }
     /// Numbers that are reported as the state: coordinates and velocities.
     pub fn state(&self) -> usize {
