@@ -114,7 +114,7 @@ fn cut(plan: &Plan, text: &str) -> Result<Cut, Error> {
         return input("a section is written as \"theta = 0\" or \"theta = 0 mod 2*pi\"").map_err(at);
     };
     let column = resolve::column(plan, name.trim()).map_err(at)?;
-    let unit = plan.columns()[column].unit.clone();
+    let unit = plan.column(column).unit;
     let (value, again) = rest.split_once("mod").map_or((rest, None), |(value, p)| (value, Some(p.trim())));
     let number = |text: &str| value::parse(text.trim()).and_then(|v| v.in_unit(&unit)).map_err(at);
     let value = number(value)?;
