@@ -65,7 +65,8 @@ pub(crate) fn run(
     let steps = |samples: Samples, progress: &mut dyn FnMut(f64) -> ControlFlow<()>| {
         Runner::new(&alone).over(samples).drive(&first, &mut |_, _| {}, progress)
     };
-    let mut rows = vec![f64::NAN; width];
+    let mut rows = Vec::with_capacity((whole.last() as usize + 1) * width);
+    rows.resize(width, f64::NAN);
     rows[0] = whole.time(0);
     rows[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
     let report = steps(whole, &mut |t| progress(t / parts as f64));
