@@ -38,17 +38,23 @@ const newFonts: Plugin = {
 
 /** Shaders of materials, maps and effects that no scene has: three asks for them by name, and gets empty ones. */
 const unusedShaders = new RegExp(
-  String.raw`^\t((?:background|backgroundCube|cube|equirect|linedashed|meshlambert|meshmatcap|meshnormal|meshphong|` +
-    String.raw`meshtoon|points|sprite)_(?:vert|frag)|(?:batching|bumpmap|clearcoat|clipping_planes|displacementmap|` +
-    String.raw`envmap|fog|gradientmap|iridescence|lightmap|lights_(?:lambert|toon|phong)|morph|normalmap|skin|` +
-    String.raw`transmission)\w*): [\w$]+`,
+  String.raw`^\t((?:background|backgroundCube|cube|distance|equirect|linedashed|meshlambert|meshmatcap|meshnormal|` +
+    String.raw`meshphong|meshtoon|points|sprite)_(?:vert|frag)|(?:alphahash|alphamap|alphatest|aomap|batching|bumpmap|` +
+    String.raw`clearcoat|clipping_planes|displacementmap|dithering|emissivemap|envmap|fog|gradientmap|iridescence|` +
+    String.raw`lightmap|lightprobes|lights_(?:lambert|toon|phong)|logdepthbuf|map|morph|normalmap|skin|specularmap|` +
+    String.raw`tonemapping|transmission|uv)\w*): [\w$]+`,
   "gm",
 );
-const fewerShaders: Plugin = {
-  name: "fewer-shaders",
+/** What three hangs on its classes of animations, which no scene has either, and which would stay for that. */
+const animation = /^(?:PropertyBinding|\w*(?:Interpolant|KeyframeTrack))\.[^;]*;$/gm;
+const lessOfThree: Plugin = {
+  name: "less-of-three",
   enforce: "pre",
-  transform: (code, id) =>
-    id.endsWith("/three.module.js") ? code.replace(unusedShaders, '\t$1: ""') : undefined,
+  transform(code, id) {
+    if (id.endsWith("/three.module.js")) return code.replace(unusedShaders, '\t$1: ""');
+    if (id.endsWith("/three.core.js")) return code.replace(animation, "");
+    return undefined;
+  },
 };
 
 /** The service worker knows every file of the build. */
@@ -74,7 +80,7 @@ const headers = {
 // The site is served from anywhere, under a policy that allows nothing inline and nothing from elsewhere.
 export default defineConfig({
   base: "./",
-  plugins: [svelte(), firstPage(), newFonts, fewerShaders, offline],
+  plugins: [svelte(), firstPage(), newFonts, lessOfThree, offline],
   worker: { format: "es" },
   server: { headers },
   preview: { headers },

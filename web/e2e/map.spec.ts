@@ -48,6 +48,40 @@ test("a magnet is moved on the map, by hand and by key, and the map is drawn ane
   await expect(page.locator("figure:has([data-map-picture]) [data-handle^='magnets 1']")).toBeFocused();
 });
 
+test("after a move a coarse picture of the new map comes first, and gives way to the fine one", async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  await fill(page, "until", "1.5");
+  await page.locator("[data-map]").click();
+  const picture = page.locator("[data-map-picture]");
+  const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
+  await done();
+  // What is known, and what is seen, each time that there is more of it.
+  await picture.evaluate((canvas: HTMLCanvasElement) => {
+    const seen: [number, string][] = [];
+    new MutationObserver(() => seen.push([Number(canvas.dataset["done"]), canvas.toDataURL()])).observe(
+      canvas,
+      {
+        attributes: true,
+        attributeFilter: ["data-done"],
+      },
+    );
+    Object.assign(window, { seen });
+  });
+  await page.locator("figure:has([data-map-picture]) [data-handle^='magnets 1']").focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(picture).not.toHaveAttribute("data-done", String(96 ** 2));
+  await done();
+  const seen = await page.evaluate(() => (window as unknown as { seen: [number, string][] }).seen);
+  const known = seen.map(([points]) => points);
+  expect(known[0]).toBeLessThan(96 ** 2 / 4);
+  expect(known).toEqual(known.toSorted((a, b) => a - b));
+  expect(seen[0]?.[1]).not.toBe(seen.at(-1)?.[1]);
+});
+
 test("a map is looked at closer, by a rectangle, wheel, keys and buttons, and back", async ({ page }) => {
   await page.emulateMedia({ reducedMotion: "reduce" });
   await open(page);

@@ -15,9 +15,9 @@ use std::ops::ControlFlow;
 const EXPLICIT: [&str; 8] =
     ["euler", "euler_taylor", "euler_cromer", "verlet", "yoshida4", "yoshida6", "yoshida8", "rk4"];
 /// Satellites of a part: the rest of the system, which every part computes anew, then costs little beside them.
-const COUNT: usize = 8;
+const COUNT: usize = 16;
 /// Parts whose samples are held at once.
-const TOGETHER: usize = 512;
+const TOGETHER: usize = 256;
 /// Lots of samples in which a run is recorded.
 const LOTS: u64 = 64;
 
@@ -65,7 +65,8 @@ pub(crate) fn run(
     let steps = |samples: Samples, progress: &mut dyn FnMut(f64) -> ControlFlow<()>| {
         Runner::new(&alone).over(samples).drive(&first, &mut |_, _| {}, progress)
     };
-    let mut rows = vec![f64::NAN; width];
+    let mut rows = Vec::with_capacity((whole.last() as usize + 1) * width);
+    rows.resize(width, f64::NAN);
     rows[0] = whole.time(0);
     rows[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
     let report = steps(whole, &mut |t| progress(t / parts as f64));

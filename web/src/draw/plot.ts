@@ -38,8 +38,8 @@ export const py = (f: Frame, y: number) => f.bottom - ((y - f.y[0]) / (f.y[1] - 
 export const ux = (f: Frame, p: number) => f.x[0] + ((p - f.left) / (f.right - f.left)) * (f.x[1] - f.x[0]);
 export const uy = (f: Frame, p: number) => f.y[0] + ((f.bottom - p) / (f.bottom - f.top)) * (f.y[1] - f.y[0]);
 
-function frameOf(plot: Plot, w: number, h: number, snug: boolean): Frame {
-  const [left, top, right, bottom] = [58, 20, w - 12, h - 34];
+function frameOf(plot: Plot, w: number, h: number, top: number, snug: boolean): Frame {
+  const [left, right, bottom] = [58, w - 12, h - 34];
   const all = [...plot.curves, ...(plot.points ?? [])];
   let x = rangeOf(all.map((curve) => curve.x));
   let y = rangeOf(all.map((curve) => curve.y));
@@ -67,25 +67,30 @@ export function drawPlot(
   language: Language,
 ): Frame {
   const byTime = plot.x.startsWith("t ") || plot.x === "t";
-  const f = frameOf(plot, w, h, byTime);
-  pen.font = `${12 * Math.min(ink.weight, 1.25)}px ${ink.font}`;
+  const letter = 12 * Math.min(ink.weight, 1.25);
+  pen.font = `${letter}px ${ink.font}`;
+  const names = inRows(pen, plot.y, w);
+  const line = (row: number) => 13 + row * (letter + 3);
+  // Below the names there is room for half of a number at the frame's upper end.
+  const f = frameOf(plot, w, h, line(names.at(-1)?.row ?? 0) + 11, byTime);
   const across = ticks(f.x[0], f.x[1], (f.right - f.left) / 80);
   const up = ticks(f.y[0], f.y[1], (f.bottom - f.top) / 40);
   millimetres(pen, f, across, up, ink);
   pen.fillStyle = ink.faint;
   pen.textAlign = "center";
-  for (const x of across) pen.fillText(shown(x, language, 6), px(f, x), f.bottom + 14);
+  for (const x of across) {
+    const text = shown(x, language, 6);
+    // The last one may not stand out of the picture.
+    pen.fillText(text, Math.min(px(f, x), w - pen.measureText(text).width / 2), f.bottom + 14);
+  }
   pen.textAlign = "right";
   for (const y of up) pen.fillText(shown(y, language, 6), f.left - 6, py(f, y) + 4, f.left - 8);
   pen.fillStyle = ink.ink;
   pen.fillText(plot.x, f.right, h - 6);
   pen.textAlign = "left";
-  let at = 6;
-  plot.y.forEach((name, k) => {
-    const several = plot.y.length > 1;
-    pen.fillStyle = several ? (ink.curves[k % ink.curves.length] ?? ink.ink) : ink.ink;
-    pen.fillText(name, at, 13);
-    at += pen.measureText(name).width + 12;
+  names.forEach(({ name, x, row }, k) => {
+    pen.fillStyle = names.length > 1 ? (ink.curves[k % ink.curves.length] ?? ink.ink) : ink.ink;
+    pen.fillText(name, x, line(row));
   });
   pen.save();
   pen.beginPath();
@@ -117,6 +122,18 @@ export function drawPlot(
   }
   pen.restore();
   return f;
+}
+
+/** Names side by side; one that does not fit begins a row. */
+function inRows(pen: Brush, names: readonly string[], w: number): { name: string; x: number; row: number }[] {
+  let [x, row] = [6, 0];
+  return names.map((name) => {
+    const { width } = pen.measureText(name);
+    if (x > 6 && x + width > w - 6) [x, row] = [6, row + 1];
+    const place = { name, x, row };
+    x += width + 12;
+    return place;
+  });
 }
 
 /** The time that cannot be trusted, greyed. */

@@ -1,5 +1,5 @@
 // Computes a map in several workers, coarse first; a newer map takes the place of the one in progress, as soon as that
-// one has a first coarse picture: a drag shows something all the time.
+// one can be recognized: a drag shows something all the time.
 
 import { tiles, type Axis } from "../core";
 import plainUrl from "../../wasm/precess.wasm?url";
@@ -12,7 +12,14 @@ const SIMD = new Uint8Array([
   11,
 ]);
 /** Points along the edge of a tile: small enough for a tile that nobody wants any more to end soon. */
-const EDGE = 16;
+const EDGE = 8;
+/** Along an edge of the first picture, which is there at once, there are so many points at the least; */
+const FIRST = 6;
+/** in all there are so many in one that can be recognized. */
+const COARSE = (2 * FIRST) ** 2;
+
+const pointsOf = (tile: readonly Axis[]) =>
+  tile.reduce((all, { points, part }) => all * (part?.points ?? points), 1);
 
 /** A map that is wanted: some columns of the last state over a grid of starts. */
 export interface MapAsk {
@@ -30,9 +37,10 @@ export class Mapper {
   #queue: Iterator<Axis[]> | undefined;
   #round = 0;
   #now: MapAsk | undefined;
-  /** The newest wish, while the one before waits for its first tile. */
+  /** The newest wish, while the one before is too coarse to be recognized. */
   #next: MapAsk | undefined;
-  #blank = false;
+  /** How many points it needs until then. */
+  #wanting = 0;
 
   private constructor(module: WebAssembly.Module, workers: number) {
     this.#module = module;
@@ -41,7 +49,7 @@ export class Mapper {
       worker.onmessage = ({ data }: MessageEvent<TileAnswer>) => {
         this.#idle.push(worker);
         if (data.round === this.#round) {
-          this.#blank = false;
+          this.#wanting -= pointsOf(data.tile);
           this.#now?.told(data);
           if (this.#next) this.compute(this.#next);
         }
@@ -62,12 +70,13 @@ export class Mapper {
   }
 
   compute(ask: MapAsk): void {
-    this.#next = this.#blank ? ask : undefined;
+    this.#next = this.#wanting > 0 ? ask : undefined;
     if (this.#next) return;
     this.#round++;
     this.#now = ask;
-    this.#blank = true;
-    this.#queue = tiles(ask.axes, 8, EDGE);
+    this.#wanting = COARSE;
+    const points = Math.min(...ask.axes.map((axis) => axis.points));
+    this.#queue = tiles(ask.axes, 2 ** Math.floor(Math.log2(points / FIRST)), EDGE);
     this.#spread();
   }
 

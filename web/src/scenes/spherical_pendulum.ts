@@ -3,7 +3,7 @@ import { ballProfile, turnOf, type Solid } from "./kit/scene";
 /** Body axis 3 points from the pivot to the mass. */
 const scene: Solid = {
   kind: "solid",
-  size: (look) => 1.1 * look.parameter("l"),
+  size: (look) => 1.3 * look.parameter("l"),
   body(look) {
     const l = look.parameter("l");
     return [
@@ -19,6 +19,6 @@ const scene: Solid = {
   trace: (look, k) => [look.at("x", k), look.at("y", k), look.at("z", k)],
   sphere: (look) => look.parameter("l"),
   table: (look) => -1.12 * look.parameter("l"),
-  centre: (look) => [0, 0, -0.3 * look.parameter("l")],
+  centre: (look) => [0, 0, -0.5 * look.parameter("l")],
 };
 export default scene;

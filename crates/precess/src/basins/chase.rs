@@ -75,7 +75,7 @@ where
     fn all(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Vec<Fate> {
         let members = self.starts.len() / self.plan.start.len();
         let chunk = match self.pace {
-            Pace::Fixed(_) => Block::<S>::capacity(&self.pace),
+            Pace::Fixed(_) => Block::<S>::capacity(&self.pace, self.field.shape()),
             Pace::Adaptive(_) => chunk(members, S::LANES, threads),
         };
         let range = |k: usize| k * chunk..if (k + 1) * chunk < members { (k + 1) * chunk } else { members };

@@ -311,6 +311,8 @@ export class Studio {
       Math.sin(this.up),
     ).multiplyScalar(far);
     const centre = new Vector3(...this.#centre);
+    // A body that goes about is seen with its table, from edge to edge.
+    if (this.#solid?.follow && !body) centre.z *= 0.6;
     this.#camera.up.set(0, 0, 1);
     if (body) {
       // Whoever rides on the body sees the world turn about its middle.
