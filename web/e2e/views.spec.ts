@@ -256,7 +256,7 @@ test("measured points lie over the graphs, until another system is opened", asyn
   await open(page);
   await choose(page, "pendulum");
   const bare = await drawing(page, "[data-graph='2']");
-  await page.locator("[data-take] summary").click();
+  await page.locator("[data-menu=take] summary").click();
   const put = (text: string) =>
     page
       .locator("[data-open]")
