@@ -86,11 +86,13 @@ test("what is shown can be taken away: table, scenario, command, picture, drawin
   const film = await taken(page, "[data-save=film]");
   // The first bytes of every WebM file.
   expect(film.bytes.subarray(0, 4).toString("hex")).toBe("1a45dfa3");
-  await page.locator("[data-take] summary").click();
-  await expect(page.locator("[data-take] code").first()).toContainText("precess run pendulum --every 0.005");
-  const table = (await taken(page, "[data-take] button:has-text('CSV')")).bytes.toString();
+  await page.locator("[data-menu=take] summary").click();
+  await expect(page.locator("[data-menu=take] code").first()).toContainText(
+    "precess run pendulum --every 0.005",
+  );
+  const table = (await taken(page, "[data-menu=take] button:has-text('CSV')")).bytes.toString();
   expect(table.split("\n")[0]).toMatch(/^t,theta,theta_dot/);
-  const toml = (await taken(page, "[data-take] button:has-text('TOML')")).bytes.toString();
+  const toml = (await taken(page, "[data-menu=take] button:has-text('TOML')")).bytes.toString();
   expect((await load("precess")).run(toml).hash()).toBe(await hashOf(page));
   await page.locator("[data-open]").setInputFiles({
     name: "mine.toml",

@@ -31,11 +31,11 @@ for (const [language, colorScheme] of [
       await page.emulateMedia({ reducedMotion: "reduce", colorScheme });
       await open(page);
       await expect(page.locator("html")).toHaveAttribute("lang", language);
-      await page.locator("[data-take] summary").click();
-      await expect(page.locator("[data-take] code").first()).toBeVisible();
+      await page.locator("[data-menu=take] summary").click();
+      await expect(page.locator("[data-menu=take] code").first()).toBeVisible();
       expect(await barriers(page)).toEqual([]);
       await page.keyboard.press("Escape");
-      await expect(page.locator("[data-take] code")).toHaveCount(0);
+      await expect(page.locator("[data-menu=take] code")).toHaveCount(0);
       await page.locator("header .tools > button[aria-pressed]").click();
       await expect(page.locator(".katex").first()).toBeVisible();
       expect(await barriers(page)).toEqual([]);

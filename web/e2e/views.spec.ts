@@ -6,6 +6,22 @@ import { scenarioOf } from "../src/lab/toml";
 import { load } from "../tests/builds";
 import { barriers, choose, drawing, fill, hashOf, linked, open, picture, taken } from "./page";
 
+test("energies are bars that move with the time", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "pendulum");
+  const bars = page.locator("[data-energies]");
+  await expect(bars.getByRole("rowheader")).toHaveText(["kinetic", "potential", "energy"]);
+  const widths = () => bars.locator("i").evaluateAll((all) => all.map((one) => one.style.width));
+  const before = await widths();
+  await page.locator("[data-scrub]").fill("200");
+  await expect.poll(widths).not.toEqual(before);
+  expect((await widths())[2]).toBe(before[2]);
+  expect(await barriers(page, "main")).toEqual([]);
+  await choose(page, "lorenz");
+  await expect(bars).toHaveCount(0);
+});
+
 test("methods can be compared, and equations read", async ({ page }) => {
   await open(page);
   await choose(page, "pendulum");
@@ -105,6 +121,7 @@ test("events are marked along the time bar, and gone to by name", async ({ page 
 });
 
 test("an exercise is answered, checked by the simulation, opened and printed", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
   await open(page);
   await page.locator("[data-exercise-list]").click();
   const card = page.locator("[data-exercise=taut-string]");
@@ -256,7 +273,7 @@ test("measured points lie over the graphs, until another system is opened", asyn
   await open(page);
   await choose(page, "pendulum");
   const bare = await drawing(page, "[data-graph='2']");
-  await page.locator("[data-take] summary").click();
+  await page.locator("[data-menu=take] summary").click();
   const put = (text: string) =>
     page
       .locator("[data-open]")
@@ -269,10 +286,14 @@ test("measured points lie over the graphs, until another system is opened", asyn
   expect(await barriers(page)).toEqual([]);
   const svg = (await taken(page, "[data-graph-svg='2']")).bytes.toString();
   expect(svg.match(/A3 3 0 1 1 [^Z]*Z/g)).toHaveLength(3);
+  // The menu has folded up, since something else was clicked.
+  await page.locator("[data-menu=take] summary").click();
   await page.locator("[data-measured] button").click();
   await expect.poll(() => drawing(page, "[data-graph='2']")).toBe(bare);
   await put("t,theta\n0,1\n");
   await expect(page.locator("[data-measured]")).toBeVisible();
   await choose(page, "duffing");
+  await page.locator("[data-menu=take] summary").click();
+  await expect(page.locator("[data-menu=take] code").first()).toBeVisible();
   await expect(page.locator("[data-measured]")).toHaveCount(0);
 });

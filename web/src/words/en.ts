@@ -99,6 +99,7 @@ export const en = {
   graph: "Graph",
   named: "ready-made",
   invariants: "Drift of the invariants",
+  energies: "Energies",
   map: "Map of starts",
   colour: "colour",
   exercises: "Exercises",

@@ -99,6 +99,7 @@ export const fr: Words = {
   graph: "Graphique",
   named: "toute prête",
   invariants: "Dérive des invariants",
+  energies: "Énergies",
   map: "Carte des départs",
   colour: "couleur",
   exercises: "Exercices",
