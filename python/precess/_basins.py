@@ -112,6 +112,8 @@ class Grid(NamedTuple):
     scenario: Scenario
     axes: list[tuple[str, float, float, int]]
     """Name, first value, last value, number of values; the first axis runs fastest."""
+    once: bool
+    """Each start is followed once."""
 
     @property
     def size(self) -> int:
@@ -121,7 +123,7 @@ class Grid(NamedTuple):
     def identity(self) -> list[object]:
         """Give what tells these starts from any others."""
         axes = [[name, low.hex(), high.hex(), points] for name, low, high, points in self.axes]
-        return ["basins", self.scenario.toml, axes]
+        return ["basins", self.scenario.toml, axes, self.once]
 
     def part(self, first: int, last: int) -> tuple[Grid, int, int]:
         """Give what a worker needs: all of it, since the attractors are those of the whole grid."""
@@ -129,7 +131,8 @@ class Grid(NamedTuple):
 
     def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
         """Follow the starts from one number to another."""
-        rows = _core.basins_part(self.scenario._plan, self.axes, first, last, threads, told)  # noqa: SLF001
+        plan = self.scenario._plan  # noqa: SLF001
+        rows = _core.basins_part(plan, self.axes, self.once, first, last, threads, told)
         return Members(np.zeros(1), rows, {})
 
 
@@ -139,6 +142,7 @@ def basins(
     over: Mapping[str, tuple[float, float, int]],
     *,
     wrap: bool = False,
+    once: bool = False,
     threads: int | None = None,
     client: Submits | None = None,
     tile: int = TILE,
@@ -154,6 +158,9 @@ def basins(
         Numbers of the start: `{"x": (-2, 2, 200), "y": (-2, 2, 200)}`, first value, last value, how many.
     wrap
         Attractors that differ by whole turns are one.
+    once
+        Each start is followed once: faster, but nothing tells labels that are right from those that another
+        tolerance would change.
     threads
         How many; as many as there are cores where absent. Nothing here changes a bit of the result.
     client
@@ -181,12 +188,12 @@ def basins(
         axes.append((name, number(name, low), number(name, high), count(f"{name}, how many", points)))
     if threads is not None:
         count("threads", threads)
-    grid = Grid(scenario, axes)
+    grid = Grid(scenario, axes, once)
     with bar(progress, 1.0, "") as told:
         if client is None and store is None:
-            found = _core.basins(scenario._plan, axes, wrap, threads, told)  # noqa: SLF001
+            found = _core.basins(scenario._plan, axes, wrap, once, threads, told)  # noqa: SLF001
         else:
             share = None if told is None else lambda members: told(members / grid.size)
             rows = done(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
-            found = _core.basins_whole(scenario._plan, axes, wrap, rows, threads)  # noqa: SLF001
+            found = _core.basins_whole(scenario._plan, axes, wrap, once, rows, threads)  # noqa: SLF001
     return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)

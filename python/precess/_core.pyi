@@ -76,12 +76,14 @@ def basins(
     plan: Plan,
     axes: list[tuple[str, float, float, int]],
     wrap: bool,
+    once: bool,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Basins: ...
 def basins_part(
     plan: Plan,
     axes: list[tuple[str, float, float, int]],
+    once: bool,
     first: int,
     last: int,
     threads: int | None = None,
@@ -91,6 +93,7 @@ def basins_whole(
     plan: Plan,
     axes: list[tuple[str, float, float, int]],
     wrap: bool,
+    once: bool,
     rows: Floats,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,

@@ -59,6 +59,7 @@ test("after a move a coarse picture of the new map comes first, and gives way to
   await choose(page, "magnetic_pendulum");
   await fill(page, "until", "1.5");
   await page.locator("[data-map]").click();
+  await page.locator("[data-map-choice=shown]").selectOption("magnets");
   const picture = page.locator("[data-map-picture]");
   const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
   await done();
@@ -92,6 +93,7 @@ test("a map is looked at closer, by a rectangle, wheel, keys and buttons, and ba
   // Short runs: the map is done sooner.
   await fill(page, "until", "1.5");
   await page.locator("[data-map]").click();
+  await page.locator("[data-map-choice=shown]").selectOption("magnets");
   const picture = page.locator("[data-map-picture]");
   const extent = () => picture.getAttribute("aria-label");
   const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });

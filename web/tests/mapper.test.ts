@@ -24,7 +24,13 @@ function answer(): Axis[] {
   asks = rest;
   const { round, tile } = first.ask;
   first.worker.onmessage?.({
-    data: { round, tile, values: [new Float64Array(pointsOf(tile))], refusal: "" },
+    data: {
+      round,
+      tile,
+      values: [new Float64Array(pointsOf(tile))],
+      attractors: { names: [], states: [] },
+      refusal: "",
+    },
   });
   return tile;
 }
@@ -47,7 +53,7 @@ function wish(points: number) {
     heard,
     text: "",
     axes: axes(points),
-    columns: ["x"],
+    wanted: { columns: ["x"] },
     told: ({ tile }: TileAnswer) => heard.push(tile),
   };
 }

@@ -241,6 +241,9 @@ pub struct Basins {
     /// Attractors that differ by whole turns are one
     #[arg(long)]
     pub wrap: bool,
+    /// Follows each start once: faster, but nothing tells labels that are right from those that another tolerance would change
+    #[arg(long)]
+    pub once: bool,
     /// Goes on where the work is very large
     #[arg(long)]
     pub yes: bool,

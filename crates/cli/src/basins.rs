@@ -34,7 +34,7 @@ pub fn basins(arguments: &args::Basins) -> Result<(), Failure> {
     if axes.len() > 2 {
         return Err(Failure::Wrong(format!("a map has one or two grids, not {}", axes.len())));
     }
-    let spec = BasinsSpec { axes, wrap: arguments.wrap };
+    let spec = BasinsSpec { axes, wrap: arguments.wrap, once: arguments.once };
     let workers = Workers::chosen()?;
     if !arguments.yes {
         refuse_many(&scenario, &spec, workers)?;

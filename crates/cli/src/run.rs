@@ -6,7 +6,7 @@ use crate::output::{Output, suffix};
 use crate::progress::{Progress, listen};
 use crate::subject::{assignment, scenario};
 use crate::{draw, list, summary, table};
-use precess::{Outcome, Plan, Scenario, hash, picture, scenario_toml};
+use precess::{Outcome, Plan, Scenario, hash, picture, spelt_out};
 use std::io::{self, BufWriter, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -118,13 +118,13 @@ fn write(
             written.map_err(|e| Failure::of_writing("standard output", &e))?;
         }
         Some(Table::Csv(output)) => output.finish(|file| table::csv(file, &outcome.trajectory))?,
-        Some(Table::Npz(output)) => output.finish(|file| table::npz(file, outcome))?,
+        Some(Table::Npz(output)) => output.finish(|file| table::npz(file, plan, &outcome.trajectory))?,
     }
     if let Some(plot) = targets.plot {
         finish_plot(&picture(plan, &outcome.trajectory, progress)?, plot)?;
     }
     if let Some(output) = targets.save {
-        output.finish(|file| file.write_all(scenario_toml(plan).as_bytes()))?;
+        output.finish(|file| write!(file, "{}", spelt_out(plan)))?;
     }
     Ok(())
 }

@@ -3,13 +3,16 @@
 use npyz::WriterBuilder;
 use npyz::zip::write::FileOptions;
 use precess::value::shortest;
-use precess::{Outcome, system::Trajectory};
+use precess::{Plan, scenario_toml, system::Trajectory};
 use std::io::{self, Seek, Write};
 
 /// CSV: the names, then a row a sample, each number the shortest text that reads back to the same bits.
 pub fn csv(out: &mut impl Write, trajectory: &Trajectory) -> io::Result<()> {
-    let names: Vec<&str> = trajectory.columns.iter().map(|c| c.name.as_str()).collect();
-    writeln!(out, "{}", names.join(","))?;
+    for (k, column) in trajectory.columns.iter().enumerate() {
+        let comma = if k == 0 { "" } else { "," };
+        write!(out, "{comma}{}", column.name)?;
+    }
+    writeln!(out)?;
     for row in trajectory.rows() {
         for (k, x) in row.iter().enumerate() {
             let comma = if k == 0 { "" } else { "," };
@@ -21,8 +24,8 @@ pub fn csv(out: &mut impl Write, trajectory: &Trajectory) -> io::Result<()> {
 }
 
 /// NPZ: one array a column, and the texts `units` (in the order of the columns), `scenario` and `version`.
-pub fn npz(out: &mut (impl Write + Seek), outcome: &Outcome) -> io::Result<()> {
-    arrays(out, &outcome.trajectory, &outcome.provenance.scenario)
+pub fn npz(out: &mut (impl Write + Seek), plan: &Plan, trajectory: &Trajectory) -> io::Result<()> {
+    arrays(out, trajectory, &scenario_toml(plan))
 }
 
 /// The same of any table with the scenario that it comes from.
@@ -37,7 +40,7 @@ pub fn arrays(out: &mut (impl Write + Seek), trajectory: &Trajectory, scenario: 
         array.extend(trajectory.rows().map(|row| row[k]))?;
         array.finish()?;
     }
-    let units: Vec<&str> = trajectory.columns.iter().map(|c| c.unit.as_str()).collect();
+    let units: Vec<String> = trajectory.columns.iter().map(|c| c.unit).collect();
     for (name, text) in [
         ("units", units.join("\n")),
         ("scenario", scenario.to_string()),

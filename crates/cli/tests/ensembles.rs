@@ -2,7 +2,7 @@
 
 mod program;
 
-use program::{Folder, err, out, precess, refused, rows};
+use program::{Folder, err, out, peak_of, precess, refused, rows};
 use std::process::{Child, Command, Stdio};
 
 #[test]
@@ -126,23 +126,7 @@ fn peak(folder: &Folder, members: u32, more: &[&str]) -> u64 {
     );
     let file = folder.file("flat.toml");
     std::fs::write(&file, text).expect("written");
-    let mut child = begun(&file, more);
-    let status = format!("/proc/{}/status", child.id());
-    let mut most = 0;
-    let end = loop {
-        // It only grows, and is gone with the program.
-        let text = std::fs::read_to_string(&status).unwrap_or_default();
-        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-        if let Some(kilobytes) = line.and_then(|l| l.trim().strip_suffix(" kB")?.parse::<u64>().ok()) {
-            most = 1000 * kilobytes;
-        }
-        if let Some(end) = child.try_wait().expect("a child") {
-            break end;
-        }
-        std::thread::yield_now();
-    };
-    assert!(end.success() && most > 0, "{end} {most}");
-    most
+    peak_of(begun(&file, more))
 }
 
 /// A table of a million rows is 32 MB; of these not a quarter may lie in memory, wherever the rows go.

@@ -9,10 +9,12 @@ use crate::side_by_side::SideBySide;
 use crate::stretch::Stretch;
 use crate::{AnyMethod, NoConvergence, Options, Pace, Samples, Step, Stepper, Steps};
 use precess_scalar::{Kernel, Lanes};
-use precess_system::Field;
+use precess_system::{Field, Shape};
 
-/// Rows of a block.
+/// Rows of a block, where a state is small.
 const ROWS: usize = 8;
+/// Bytes that a block's states may take, so that they and what a step needs stay in the cache next to the processor.
+const BYTES: usize = 6144;
 
 /// What the trajectories of an ensemble have in common.
 pub struct Block<'a, S: Lanes> {
@@ -33,9 +35,9 @@ where
     dyn AnyMethod: Steps<S>,
 {
     /// How many trajectories are on their way at a time.
-    pub fn capacity(pace: &Pace) -> usize {
+    pub fn capacity(pace: &Pace, shape: &Shape) -> usize {
         match pace {
-            Pace::Fixed(_) => ROWS * S::LANES,
+            Pace::Fixed(_) => (BYTES / (shape.full() * size_of::<S>())).clamp(1, ROWS) * S::LANES,
             Pace::Adaptive(_) => S::LANES,
         }
     }
@@ -67,8 +69,9 @@ where
     /// Runs the next block of fixed steps; false where there was nobody left.
     fn fixed(&self, dt: f64, roster: &mut dyn Roster<S>) -> bool {
         let full = self.field.shape().full();
+        let capacity = Self::capacity(self.pace, self.field.shape());
         let (mut members, mut starts, mut start) = (vec![], vec![], vec![0.0; full]);
-        while members.len() < Self::capacity(self.pace) {
+        while members.len() < capacity {
             let Some(member) = roster.next(&mut start) else { break };
             members.push(member);
             starts.extend_from_slice(&start);

@@ -4,7 +4,7 @@ use crate::methods::{dop853::Dop853, taylor::Taylor};
 use crate::pacer::{Pacer, first_step};
 use crate::{Failure, Method, NoConvergence, Options, Samples, Step, Stepper, Tolerance};
 use precess_scalar::{DoubleDouble, Tape, Taylor as Series};
-use precess_system::{Field, Shape};
+use precess_system::{Field, Second, Shape};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -59,7 +59,7 @@ impl Shadow<'_> {
         let n = self.start.len();
         let shape = Shape {
             coordinates: n,
-            second: vec![],
+            second: Second::These(vec![]),
             attitudes: vec![],
             modes: 0,
             observables: 0,

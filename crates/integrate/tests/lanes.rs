@@ -101,7 +101,7 @@ where
 {
     // With adaptive steps a lane takes the next start as soon as it is free: more of them than there are lanes.
     let rows = if method(id).card().kind == Kind::Adaptive { 3 } else { 1 };
-    let most = rows * Block::<S>::capacity(&pace(id));
+    let most = rows * Block::<S>::capacity(&pace(id), Field::<S>::shape(field));
     let options = field.options();
     let starts: Vec<f64> = (0..most * size).map(|i| 0.2 + 0.37 * (i % 5) as f64 - 0.01 * i as f64).collect();
     let alone: Vec<u64> =

@@ -4,7 +4,7 @@ mod toys;
 
 use precess_integrate::Options;
 use precess_scalar::Scalar;
-use precess_system::{Field, Shape};
+use precess_system::{Field, Second, Shape};
 use toys::{method, stepper, walk};
 
 /// A heavy symmetric top on a fixed point: T's cone, at 60 rad/s.
@@ -19,7 +19,7 @@ impl Top {
         let attitudes = vec![0];
         Self(Shape {
             coordinates: 7,
-            second: vec![],
+            second: Second::These(vec![]),
             attitudes,
             modes: 0,
             observables: 0,

@@ -5,17 +5,27 @@ use crate::figure::Stroke;
 use crate::plan::{PanelPlan, Plan, Step};
 use crate::scenario::STROKES;
 use precess_system::{Default, Direction, Parameter};
-use std::fmt::Write;
+use std::fmt::{Display, Formatter, Write};
 
 /// The scenario file (TOML) with every parameter, start and setting written out.
 pub fn scenario_toml(plan: &Plan) -> String {
-    let mut toml = String::new();
-    // Writing to a String cannot fail.
-    let _ = write(&mut toml, plan);
-    toml
+    spelt_out(plan).to_string()
 }
 
-fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
+/// The same, to be written somewhere without being kept: a swarm has millions of starts.
+pub fn spelt_out(plan: &Plan) -> impl Display + '_ {
+    SpeltOut(plan)
+}
+
+struct SpeltOut<'a>(&'a Plan);
+
+impl Display for SpeltOut<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        write(f, self.0)
+    }
+}
+
+fn write(out: &mut Formatter, plan: &Plan) -> std::fmt::Result {
     writeln!(out, "precess = 1\ntitle = {}", text(&plan.title))?;
     if !plan.label.is_empty() {
         writeln!(out, "label = {}", text(&plan.label))?;
@@ -23,17 +33,16 @@ fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
     writeln!(out, "\n[system]\nid = \"{}\"\n\n[system.parameters]", plan.card.id)?;
     lines(out, &parameters(plan))?;
     writeln!(out, "\n[start]")?;
-    lines(out, &starts(plan))?;
+    starts(plan).try_for_each(|(name, value)| writeln!(out, "{name} = {value}"))?;
     writeln!(out, "\n[run]")?;
     lines(out, &settings(plan))?;
-    let columns = plan.columns();
     for watch in &plan.watches {
         let direction = match watch.direction {
             Direction::Rising => "rising",
             Direction::Falling => "falling",
             Direction::Either => "either",
         };
-        let when = format!("{} = {}", columns[watch.column].name, float(watch.value));
+        let when = format!("{} = {}", plan.column(watch.column).name, float(watch.value));
         writeln!(out, "\n[[event]]\nname = {}\nwhen = {}", text(&watch.name), text(&when))?;
         writeln!(out, "direction = \"{direction}\"\nstop = {}", watch.stop)?;
     }
@@ -54,7 +63,7 @@ fn write(out: &mut String, plan: &Plan) -> std::fmt::Result {
 /// Names with their values as TOML.
 type Entries = Vec<(String, String)>;
 
-fn lines(out: &mut String, entries: &Entries) -> std::fmt::Result {
+fn lines(out: &mut Formatter, entries: &Entries) -> std::fmt::Result {
     entries.iter().try_for_each(|(name, value)| writeln!(out, "{name} = {value}"))
 }
 
@@ -82,8 +91,9 @@ fn parameters(plan: &Plan) -> Entries {
     plan.card.parameters.iter().map(parameter).collect()
 }
 
-fn starts(plan: &Plan) -> Entries {
-    plan.given().0.into_iter().map(|(name, x)| (name, float(x))).collect()
+/// One after another, for there may be a million.
+fn starts(plan: &Plan) -> impl Iterator<Item = (String, String)> + '_ {
+    plan.layout.starts().zip(&plan.start).map(|(quantity, x)| (quantity.name, float(*x)))
 }
 
 fn settings(plan: &Plan) -> Entries {
@@ -115,7 +125,7 @@ fn family(member: &FamilyMember) -> Entries {
         ("label".into(), text(&member.label)),
         ("system".into(), text(member.plan.card.id)),
         ("parameters".into(), inline(&single(parameters(&member.plan)))),
-        ("start".into(), inline(&starts(&member.plan))),
+        ("start".into(), inline(&starts(&member.plan).collect())),
         ("run".into(), inline(&settings(&member.plan))),
         ("both_ways".into(), member.both_ways.to_string()),
     ];

@@ -1,7 +1,7 @@
 //! How far the invariants of a run have drifted.
 
 use precess_scalar::Scalar;
-use precess_system::{ColumnKind, Trajectory};
+use precess_system::{Column, ColumnKind, Trajectory};
 
 /// The drift of one invariant over a trajectory.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,18 +30,23 @@ pub fn departures(values: &[f64]) -> Vec<f64> {
     values.iter().map(|x| (x - start).abs() / scale).collect()
 }
 
+/// The invariants, and where they stand: behind the state.
+pub(crate) fn invariants(trajectory: &Trajectory) -> impl Iterator<Item = (usize, Column)> + '_ {
+    let columns = &trajectory.columns;
+    let observables = (trajectory.state_columns()..columns.len()).map(|k| (k, columns.get(k)));
+    observables.filter(|(_, column)| column.kind == ColumnKind::Invariant)
+}
+
 /// The drift of every invariant, in the order of the columns.
 pub fn drifts(trajectory: &Trajectory) -> Vec<Drift> {
-    let columns = trajectory.columns.iter().enumerate();
-    let invariants = columns.filter(|(_, c)| c.kind == ColumnKind::Invariant);
-    let drift = |(k, column): (usize, &precess_system::Column)| {
+    let drift = |(k, column): (usize, Column)| {
         let start = trajectory.rows().next().map_or(f64::NAN, |row| row[k]);
         // `larger` keeps its second argument where they do not compare: a NaN met on the way stays.
         let largest = trajectory.rows().fold(0.0, |largest: f64, row| {
             let departure = (row[k] - start).abs();
             if largest.is_nan() { largest } else { largest.larger(departure) }
         });
-        Drift { name: column.name.clone(), unit: column.unit.clone(), start, largest }
+        Drift { name: column.name, unit: column.unit, start, largest }
     };
-    invariants.map(drift).collect()
+    invariants(trajectory).map(drift).collect()
 }

@@ -90,7 +90,7 @@ where
     fn block(&self, threads: usize) -> usize {
         match self.pace {
             _ if !self.goes_in_lanes() => 1,
-            Pace::Fixed(_) => Block::<S>::capacity(&self.pace),
+            Pace::Fixed(_) => Block::<S>::capacity(&self.pace, self.field.shape()),
             Pace::Adaptive(_) => chunk(self.members(), S::LANES, threads),
         }
     }

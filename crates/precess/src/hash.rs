@@ -39,6 +39,6 @@ pub fn hash_numbers(numbers: impl Iterator<Item = f64>) -> String {
 }
 
 /// SHA-256 of a text.
-pub(crate) fn hash_text(text: &str) -> String {
+pub fn hash_text(text: &str) -> String {
     hex(Sha256::digest(text.as_bytes()))
 }

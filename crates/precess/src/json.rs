@@ -80,7 +80,7 @@ pub fn system(system: &dyn AnySystem) -> Value {
         "source": card.source,
         "takes_body": takes_body(card.id),
         "coordinates": coordinates.collect::<Vec<_>>(),
-        "state": layout.state().iter().map(|q| q.name.clone()).collect::<Vec<_>>(),
+        "state": layout.quantities().map(|q| q.name).collect::<Vec<_>>(),
         "parameters": parameters.collect::<Vec<_>>(),
         "observables": layout.observables.iter().map(observable).collect::<Vec<_>>(),
         "starts": card.starts.iter().map(quantity).collect::<Vec<_>>(),

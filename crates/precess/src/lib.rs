@@ -1,7 +1,7 @@
 //! Where systems, methods and users meet: what every face of Precess depends on.
 //!
 //! A [`Scenario`] (TOML, or built in code) is held against the cards and becomes a [`Plan`]; running it gives
-//! an [`Outcome`] with a trajectory, its provenance and the drift of its invariants; [`picture`] turns that
+//! an [`Outcome`] with a trajectory, what it cost and the drift of its invariants; [`picture`] turns that
 //! into a [`figure::Figure`].
 
 #[cfg(feature = "analyses")]
@@ -39,7 +39,7 @@ pub mod value;
 mod workers;
 
 pub use answer::{Answer, Progress};
-pub use canonical::scenario_toml;
+pub use canonical::{scenario_toml, spelt_out};
 pub use compare::{Comparison, Contender, compare};
 pub use describe::{Equations, equations, parameter_names, record};
 pub use drift::{Drift, departures, drifts};
@@ -47,7 +47,7 @@ pub use ensemble::ensemble;
 pub use error::{Error, unknown};
 pub use family::FamilyMember;
 pub use grid::{Axis, combinations, grid, starts};
-pub use hash::{hash, hash_numbers};
+pub use hash::{hash, hash_numbers, hash_text};
 pub use members::{Keep, Members};
 pub use page::page;
 pub use picture::picture;

@@ -59,8 +59,8 @@ fn entry(out: &mut String, system: &dyn AnySystem) -> Result {
 fn coordinates(out: &mut String, layout: &Layout) -> Result {
     writeln!(out, "| coordinate | unit | start | start of its rate | |\n|---|---|---|---|---|")?;
     for Coordinate { quantity, order, start, start_dot, .. } in layout.coordinates.iter().take(MOST) {
-        let rate = if *order == Order::Second { shortest(*start_dot) } else { "first order".into() };
-        row(out, quantity, &[&shortest(*start), &rate])?;
+        let rate = if order == Order::Second { shortest(start_dot) } else { "first order".into() };
+        row(out, &quantity, &[&shortest(start), &rate])?;
     }
     more(out, layout.coordinates.len())
 }

@@ -6,6 +6,7 @@ use crate::resolve;
 use crate::scenario::{FigureKind, FigureSpec};
 use crate::value::Value;
 use precess_system::Quantity;
+use std::collections::HashSet;
 
 /// What a panel calls the run itself.
 pub(crate) const RUN: &str = "run";
@@ -71,5 +72,6 @@ pub(crate) fn starred(columns: &[Quantity], name: &str) -> Vec<String> {
         return vec![];
     }
     let numbered = (0..columns.len()).map(|k| name.replace('*', &k.to_string()));
-    numbered.take_while(|own| columns.iter().any(|q| q.name == *own)).collect()
+    let names: HashSet<&str> = columns.iter().map(|q| q.name.as_str()).collect();
+    numbered.take_while(|own| names.contains(own.as_str())).collect()
 }

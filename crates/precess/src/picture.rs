@@ -11,12 +11,12 @@ pub(crate) use labels::{axis, readable, subtitle};
 pub(crate) use shown::Shown;
 
 use crate::canonical::scenario_toml;
-use crate::drift::departures;
+use crate::drift::{departures, invariants};
 use crate::error::Error;
 use crate::figure::{Curve, Figure, Panel};
 use crate::plan::{PanelPlan, Plan};
 use crate::scenario::FigureKind;
-use precess_system::{ColumnKind, Trajectory};
+use precess_system::Trajectory;
 use std::ops::ControlFlow;
 
 /// Told how much of the work is done (from 0 to 1); ends it where it breaks.
@@ -64,10 +64,8 @@ fn of_kind(
 }
 
 fn drift_panel(trajectory: &Trajectory) -> Option<Panel> {
-    let columns = trajectory.columns.iter().enumerate();
-    let invariants = columns.filter(|(_, c)| c.kind == ColumnKind::Invariant);
     let times: Vec<f64> = trajectory.rows().map(|row| row[0]).collect();
-    let curves: Vec<Curve> = invariants
+    let curves: Vec<Curve> = invariants(trajectory)
         .map(|(k, column)| {
             let values: Vec<f64> = trajectory.rows().map(|row| row[k]).collect();
             let label = readable(&column.name);

@@ -168,9 +168,17 @@ impl Plan {
 
     /// All columns of the result in order: time, state, observables.
     pub fn columns(&self) -> Vec<Quantity> {
-        let time = precess_system::quantity("t", "s", "time", "temps");
-        let observables = self.layout.observables.iter().map(|o| o.quantity.clone());
-        std::iter::once(time).chain(self.layout.state()).chain(observables).collect()
+        (0..self.width()).map(|k| self.column(k)).collect()
+    }
+
+    /// One of them.
+    pub fn column(&self, k: usize) -> Quantity {
+        column(&self.layout, k)
+    }
+
+    /// How many there are.
+    pub fn width(&self) -> usize {
+        1 + self.layout.state_size() + self.layout.observables.len()
     }
 
     /// Whether the `k`-th observable ought to stay constant with these parameters.
@@ -185,7 +193,7 @@ impl Plan {
 
     /// The starts as the user may name them back.
     pub fn given(&self) -> Given {
-        let names = self.layout.starts().into_iter().map(|q| q.name);
+        let names = self.layout.starts().map(|q| q.name);
         Given(names.zip(self.start.iter().copied()).collect())
     }
 
@@ -352,6 +360,16 @@ impl Plan {
             }
         }
         Ok(())
+    }
+}
+
+/// What stands in column `k` of the result: the time, then the state, then the observables.
+pub(crate) fn column(layout: &Layout, k: usize) -> Quantity {
+    let state = layout.state_size();
+    match k {
+        0 => precess_system::quantity("t", "s", "time", "temps"),
+        k if k <= state => layout.quantity(k - 1),
+        k => layout.observables[k - state - 1].quantity.clone(),
     }
 }
 

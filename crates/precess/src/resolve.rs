@@ -5,7 +5,7 @@ use crate::plan::{Plan, Watch};
 use crate::scenario::EventSpec;
 use crate::value::{self, Value};
 use precess_system::{AnySystem, Card, Default, Direction, Given, Layout, Parameter, Quantity, Values};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Parameters: the card's defaults, then what is given.
 pub(crate) fn parameters(card: &Card, given: &[(String, Value)]) -> Result<Values<f64>, Error> {
@@ -93,14 +93,18 @@ pub(crate) fn start(
 ) -> Result<(Layout, Vec<f64>), Error> {
     let names = Given(given.iter().map(|(name, _)| (name.clone(), 0.0)).collect());
     let layout = system.layout(values, &names);
-    let quantities: Vec<_> = layout.state().into_iter().chain(card.starts.iter().cloned()).collect();
-    // A map, for there may be a million names; it is asked, not walked.
-    let known: HashMap<&str, &Quantity> = quantities.iter().map(|q| (q.name.as_str(), q)).collect();
+    let quantities = || layout.quantities().chain(card.starts.iter().cloned());
+    // Of a million quantities those that are named. A map; it is asked, not walked.
+    let named: HashSet<&str> = given.iter().map(|(name, _)| name.as_str()).collect();
+    let known: HashMap<String, Quantity> = match given {
+        [] => HashMap::new(),
+        _ => quantities().filter(|q| named.contains(&*q.name)).map(|q| (q.name.clone(), q)).collect(),
+    };
     let mut starts = Given::default();
     for (name, value) in given {
-        let Some(quantity) = known.get(name.as_str()) else {
-            let names = quantities.iter().map(|q| q.name.as_str());
-            return Err(unknown(&format!("start of {}", card.id), name, names));
+        let Some(quantity) = known.get(name) else {
+            let names: Vec<String> = quantities().map(|q| q.name).collect();
+            return Err(unknown(&format!("start of {}", card.id), name, names.iter().map(String::as_str)));
         };
         starts.0.push((name.clone(), within(quantity, value).map_err(|e| e.at(name))?));
     }
@@ -110,10 +114,11 @@ pub(crate) fn start(
 
 /// The column of this name.
 pub(crate) fn column(plan: &Plan, name: &str) -> Result<usize, Error> {
-    let columns = plan.columns();
-    let found = columns.iter().position(|q| q.name == name);
-    let names = columns.iter().map(|q| q.name.as_str());
-    found.ok_or_else(|| unknown(&format!("quantity of {}", plan.card.id), name, names))
+    let mut names = (0..plan.width()).map(|k| plan.column(k).name);
+    names.position(|own| own == name).ok_or_else(|| {
+        let columns = plan.columns();
+        unknown(&format!("quantity of {}", plan.card.id), name, columns.iter().map(|q| q.name.as_str()))
+    })
 }
 
 /// A direction by its name.
@@ -133,7 +138,7 @@ pub(crate) fn watch(plan: &Plan, event: &EventSpec) -> Result<Watch, Error> {
         return input("a crossing is written as \"theta = 0\"").map_err(at);
     };
     let column = column(plan, name.trim()).map_err(at)?;
-    let unit = &plan.columns()[column].unit;
+    let unit = &plan.column(column).unit;
     let value = value::parse(text).and_then(|v| v.in_unit(unit)).map_err(at)?;
     let direction = direction(event.direction.as_deref().unwrap_or("either")).map_err(at)?;
     let name = event.name.clone().unwrap_or_else(|| event.when.clone());

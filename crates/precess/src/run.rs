@@ -1,23 +1,17 @@
 //! A plan carried out.
 
-use crate::canonical::scenario_toml;
-use crate::hash::hash_text;
-use crate::plan::{Plan, Step};
+use crate::plan::{Plan, Step, column};
 use crate::satellites;
 use precess_integrate::{Drive, Failure, Pace, Report, Samples, Source, Tolerance, Watched, drive};
-use precess_system::{Bind, Column, ColumnKind, Field, Occurrence, Trajectory};
+use precess_system::{Bind, Column, ColumnKind, Columns, Field, Occurrence, Quantity, Trajectory};
 use std::cell::RefCell;
 use std::ops::ControlFlow;
 
-/// Where a result comes from, and what it cost.
+/// What a result has cost, and which program made it; from what, [`scenario_toml`](crate::scenario_toml) tells.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Provenance {
     /// Version of Precess.
     pub version: String,
-    /// The scenario with everything spelt out.
-    pub scenario: String,
-    /// SHA-256 of that scenario.
-    pub scenario_hash: String,
     /// Accepted steps.
     pub steps: u64,
     /// Rejected steps.
@@ -123,13 +117,10 @@ pub fn run(plan: &Plan, progress: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Out
             state: event.state[..state].to_vec(),
         })
         .collect();
-    let scenario = scenario_toml(plan);
     Outcome {
         trajectory,
         provenance: Provenance {
             version: env!("CARGO_PKG_VERSION").into(),
-            scenario_hash: hash_text(&scenario),
-            scenario,
             steps: report.steps,
             rejections: report.rejections,
             evaluations: report.evaluations,
@@ -166,16 +157,19 @@ pub(crate) fn pace(plan: &Plan) -> Pace {
 }
 
 /// The columns of the result.
-pub fn columns(plan: &Plan) -> Vec<Column> {
-    let state = plan.layout.shape().state();
-    let kind = |k: usize| match k {
-        0 => ColumnKind::Time,
-        k if k <= state => ColumnKind::State,
-        k if plan.is_invariant(k - state - 1) => ColumnKind::Invariant,
-        _ => ColumnKind::Signal,
-    };
-    let quantities = plan.columns().into_iter().enumerate();
-    quantities.map(|(k, q)| Column { name: q.name, unit: q.unit, kind: kind(k) }).collect()
+pub fn columns(plan: &Plan) -> Columns {
+    let (layout, state) = (plan.layout.clone(), plan.layout.shape().state());
+    let invariants: Vec<bool> = (0..layout.observables.len()).map(|k| plan.is_invariant(k)).collect();
+    Columns::new(plan.width(), move |k| {
+        let Quantity { name, unit, .. } = column(&layout, k);
+        let kind = match k {
+            0 => ColumnKind::Time,
+            k if k <= state => ColumnKind::State,
+            k if invariants[k - state - 1] => ColumnKind::Invariant,
+            _ => ColumnKind::Signal,
+        };
+        Column { name, unit, kind }
+    })
 }
 
 /// A column of the result as a function of time and full state.

@@ -8,16 +8,16 @@ use crate::plan::{Plan, Step};
 use crate::run::Runner;
 use crate::workers::Workers;
 use precess_integrate::{Failure, Report, Samples};
-use precess_system::{Given, Satellites};
+use precess_system::{Given, Layout, Satellites, Values};
 use std::ops::ControlFlow;
 
 /// Methods whose steps know of no other number than those an equation holds: no iteration, no error norm.
 const EXPLICIT: [&str; 8] =
     ["euler", "euler_taylor", "euler_cromer", "verlet", "yoshida4", "yoshida6", "yoshida8", "rk4"];
 /// Satellites of a part: the rest of the system, which every part computes anew, then costs little beside them.
-const COUNT: usize = 8;
+const COUNT: usize = 16;
 /// Parts whose samples are held at once.
-const TOGETHER: usize = 512;
+const TOGETHER: usize = 256;
 /// Lots of samples in which a run is recorded.
 const LOTS: u64 = 64;
 
@@ -46,7 +46,6 @@ pub(crate) fn run(
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<(Report, Vec<f64>)> {
     let layout = plan.system.layout(values, &Given::default());
-    let structure = precess_system::structure(plan.system, values, &layout);
     let workers = Workers::chosen().unwrap_or_else(|_| Workers::all());
     let (coordinates, small) = (plan.layout.coordinates.len(), layout.coordinates.len());
     let (all, count) = ((coordinates - rest) / each, (small - rest) / each);
@@ -58,14 +57,15 @@ pub(crate) fn run(
         1 + half + if j < *rest { j } else { satellite(j - rest) }
     };
     let first: Vec<f64> = (0..2 * small).map(|j| plan.start[place(0, j) - 1]).collect();
-    let alone = Plan { values: values.clone(), layout, structure, start: first.clone(), ..plan.clone() };
+    let alone = alone(plan, values, layout, first.clone());
 
     // One part tells how many steps there are.
     let whole = Samples::new(plan.until, plan.every);
     let steps = |samples: Samples, progress: &mut dyn FnMut(f64) -> ControlFlow<()>| {
         Runner::new(&alone).over(samples).drive(&first, &mut |_, _| {}, progress)
     };
-    let mut rows = vec![f64::NAN; width];
+    let mut rows = Vec::with_capacity((whole.last() as usize + 1) * width);
+    rows.resize(width, f64::NAN);
     rows[0] = whole.time(0);
     rows[1..=2 * coordinates].copy_from_slice(&plan.start[..2 * coordinates]);
     let report = steps(whole, &mut |t| progress(t / parts as f64));
@@ -118,6 +118,29 @@ pub(crate) fn run(
         }
     }
     Some((report, rows))
+}
+
+/// The plan of a part: what a run needs, and nothing of the size of the whole.
+fn alone(plan: &Plan, values: &Values<f64>, layout: Layout, start: Vec<f64>) -> Plan {
+    Plan {
+        structure: precess_system::structure(plan.system, values, &layout),
+        values: values.clone(),
+        layout,
+        start,
+        title: String::new(),
+        label: String::new(),
+        system: plan.system,
+        card: plan.card.clone(),
+        method: plan.method,
+        options: plan.options.clone(),
+        step: plan.step,
+        until: plan.until,
+        every: plan.every,
+        watches: vec![],
+        members: vec![],
+        panels: vec![],
+        ensemble: None,
+    }
 }
 
 /// Samples that are taken at once: a part is set up again for each lot.

@@ -187,7 +187,7 @@ fn panels(
     }
     let bound = vec![within; times.len()];
     vec![
-        Panel { x_label: "t [s]".into(), y_label: axis(&plan.columns()[1]), curves, ..Panel::default() },
+        Panel { x_label: "t [s]".into(), y_label: axis(&plan.column(1)), curves, ..Panel::default() },
         Panel {
             title: "Distance from the shadow".into(),
             x_label: "t [s]".into(),

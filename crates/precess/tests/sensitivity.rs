@@ -30,7 +30,7 @@ fn an_oscillator_answers_as_its_closed_form() {
     let times = [0.0, 0.7, 3.1];
     let along = names(&["x", "x_dot", "omega"]);
     let found = sensitivities(&plan, &along, &times, &mut go_on).expect("sensitivities");
-    let width = plan.columns().len() - 1;
+    let width = plan.width() - 1;
     for (t, slopes) in times.iter().zip(found.slopes.chunks(3 * width)) {
         let (sin, cos) = Scalar::sin_cos(2.0 * t);
         // x = x0 cos wt + v0 sin wt / w.
@@ -73,7 +73,7 @@ fn every_system_answers_as_its_differences() {
         let along: Vec<String> =
             state.iter().cloned().chain(parameters.map(|p| p.quantity.name.clone())).collect();
         let found = sensitivities(&plan, &along, &[plan.until], &mut go_on).expect("sensitivities");
-        let width = plan.columns().len() - 1;
+        let width = plan.width() - 1;
         let mut held = 0;
         for (k, name) in along.iter().enumerate() {
             let end = |move_by: f64| {
@@ -112,7 +112,7 @@ fn measured() -> Data {
     let times: Vec<f64> = (0..40).map(|k| 0.1 * f64::from(k) + 0.003 * f64::from(k % 3)).collect();
     let plan = Plan::new(&truth).expect("a plan");
     let found = sensitivities(&plan, &[], &times, &mut go_on).expect("a motion");
-    let width = plan.columns().len() - 1;
+    let width = plan.width() - 1;
     let theta: Vec<f64> = found.values.chunks(width).map(|row| row[0]).collect();
     Data { times, columns: vec![("theta".into(), theta)], uncertainties: vec![] }
 }

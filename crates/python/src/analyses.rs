@@ -34,7 +34,7 @@ impl Answer {
         let shape = [answer.table.len(), answer.table.columns.len()];
         Ok(Self {
             figure: dictionary(py, &answer.figure)?.unbind(),
-            columns: answer.table.columns.into_iter().map(|c| (c.name, c.unit)).collect(),
+            columns: answer.table.columns.iter().map(|c| (c.name, c.unit)).collect(),
             numbers: answer.table.numbers.into_pyarray(py).reshape(shape)?.unbind(),
             summary: answer.summary,
             failure: answer.failure,
@@ -212,7 +212,7 @@ pub fn sensitivities(
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(Py<PyArray2<f64>>, Py<PyArray3<f64>>)> {
     let times = times.as_array().to_vec();
-    let width = plan.plan.columns().len() - 1;
+    let width = plan.plan.width() - 1;
     let found = asked(py, progress, |told| analyses::sensitivities(&plan.plan, &names, &times, told))?;
     let values = found.values.into_pyarray(py).reshape([times.len(), width])?;
     let slopes = found.slopes.into_pyarray(py).reshape([times.len(), names.len(), width])?;

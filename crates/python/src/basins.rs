@@ -31,7 +31,12 @@ pub struct Basins {
 type Given = (String, f64, f64, usize);
 
 /// What is asked, and by how many threads.
-fn asked(axes: Vec<Given>, wrap: bool, threads: Option<usize>) -> PyResult<(BasinsSpec, Workers)> {
+fn asked(
+    axes: Vec<Given>,
+    wrap: bool,
+    once: bool,
+    threads: Option<usize>,
+) -> PyResult<(BasinsSpec, Workers)> {
     let mut workers = Workers::chosen().map_err(exception)?;
     match threads {
         Some(0) => return Err(InputError::new_err("threads: at least one is needed")),
@@ -39,21 +44,22 @@ fn asked(axes: Vec<Given>, wrap: bool, threads: Option<usize>) -> PyResult<(Basi
         None => {}
     }
     let axes = axes.into_iter().map(|(name, low, high, points)| Axis { name, low, high, points }).collect();
-    Ok((BasinsSpec { axes, wrap }, workers))
+    Ok((BasinsSpec { axes, wrap, once }, workers))
 }
 
 /// The basins of a plan on a grid.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, wrap, threads=None, progress=None))]
+#[pyo3(signature = (plan, axes, wrap, once, threads=None, progress=None))]
 pub fn basins(
     py: Python,
     plan: &Plan,
     axes: Vec<Given>,
     wrap: bool,
+    once: bool,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Basins> {
-    let (spec, workers) = asked(axes, wrap, threads)?;
+    let (spec, workers) = asked(axes, wrap, once, threads)?;
     let mut watch = Watch::new(progress);
     let found =
         py.detach(|| precess::basins::basins(&plan.scenario, &spec, workers, &mut |share| watch.at(share)));
@@ -63,17 +69,18 @@ pub fn basins(
 
 /// What became of the starts from one number to another: a row of numbers each, for `basins_whole`.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, first, last, threads=None, progress=None))]
+#[pyo3(signature = (plan, axes, once, first, last, threads=None, progress=None))]
 pub fn basins_part(
     py: Python,
     plan: &Plan,
     axes: Vec<Given>,
+    once: bool,
     first: usize,
     last: usize,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyArray2<f64>>> {
-    let (spec, workers) = asked(axes, false, threads)?;
+    let (spec, workers) = asked(axes, false, once, threads)?;
     let mut watch = Watch::new(progress);
     let found = py.detach(|| {
         precess::basins::part(&plan.scenario, &spec, first..last, workers, &mut |share| watch.at(share))
@@ -86,17 +93,18 @@ pub fn basins_part(
 
 /// The basins from the rows of all starts.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, wrap, rows, threads=None, progress=None))]
+#[pyo3(signature = (plan, axes, wrap, once, rows, threads=None, progress=None))]
 pub fn basins_whole(
     py: Python,
     plan: &Plan,
     axes: Vec<Given>,
     wrap: bool,
+    once: bool,
     rows: PyReadonlyArray2<f64>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Basins> {
-    let (spec, workers) = asked(axes, wrap, threads)?;
+    let (spec, workers) = asked(axes, wrap, once, threads)?;
     let rows: Vec<f64> = rows.as_array().iter().copied().collect();
     let mut watch = Watch::new(progress);
     let found = py.detach(|| {

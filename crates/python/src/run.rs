@@ -3,7 +3,7 @@
 use crate::watch::Watch;
 use numpy::{IntoPyArray, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use precess::system::ColumnKind;
-use precess::{drifts, hash_numbers};
+use precess::{drifts, hash_numbers, hash_text, scenario_toml};
 use pyo3::prelude::*;
 
 /// What came out of a run.
@@ -47,12 +47,14 @@ impl Outcome {
             ColumnKind::Invariant => "invariant",
         };
         let provenance = outcome.provenance;
+        let scenario = scenario_toml(plan);
+        let hash = hash_text(&scenario);
         Ok(Self {
             numbers: trajectory.numbers.into_pyarray(py).reshape(shape)?.unbind(),
-            columns: trajectory.columns.into_iter().map(|c| (c.name, c.unit, kind(c.kind))).collect(),
+            columns: trajectory.columns.iter().map(|c| (c.name, c.unit, kind(c.kind))).collect(),
             events: trajectory.events.into_iter().map(|e| (e.name, e.t, e.state)).collect(),
             drifts,
-            scenario: (provenance.scenario, provenance.scenario_hash),
+            scenario: (scenario, hash),
             counts: (provenance.steps, provenance.rejections, provenance.evaluations),
             stopped_by: outcome.stopped_by,
             failure: outcome.failure.map(|failure| failure.to_string()),

@@ -21,7 +21,7 @@ impl<M, S: Scalar> Bound<M, S> {
     #[inline(always)]
     pub fn state<'a>(&'a self, t: S, y: &'a [S]) -> State<'a, S> {
         let (coordinates, rest) = y.split_at(self.shape.coordinates);
-        let (velocities, modes) = rest.split_at(self.shape.second.len());
+        let (velocities, modes) = rest.split_at(self.shape.velocities());
         State { t, coordinates, velocities, modes, values: &self.values }
     }
 }
@@ -72,7 +72,7 @@ impl<M: System, S: Scalar> Kernel for Drift<'_, M, S> {
         let (coordinates, modes) = (shape.coordinates, shape.modes);
         let rows = y.len() / shape.full();
         let (q, rest) = y.split_at(rows * coordinates);
-        let (v, m) = rest.split_at(rows * shape.second.len());
+        let (v, m) = rest.split_at(rows * shape.velocities());
         let mut differs = shape.is_second_order();
         for row in 0..rows {
             if differs {
@@ -103,7 +103,7 @@ impl<M: System, S: Scalar> Kernel for Solution<'_, M, S> {
     fn run(self) {
         let Self { bound, from, start, t, y } = self;
         let shape = &bound.shape;
-        let (coordinates, second, modes) = (shape.coordinates, shape.second.len(), shape.modes);
+        let (coordinates, second, modes) = (shape.coordinates, shape.velocities(), shape.modes);
         let rows = y.len() / shape.full();
         let (q, rest) = start.split_at(rows * coordinates);
         let (v, m) = rest.split_at(rows * second);
@@ -125,7 +125,7 @@ impl<M: System, S: Scalar> Bound<M, S> {
     #[inline(always)]
     pub fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
         let shape = &self.shape;
-        let (coordinates, second) = (shape.coordinates, shape.second.len());
+        let (coordinates, second) = (shape.coordinates, shape.velocities());
         let rows = if y.len() == shape.full() { 1 } else { y.len() / shape.full() };
         let (q, rest) = y.split_at(rows * coordinates);
         let (v, m) = rest.split_at(rows * second);
@@ -142,7 +142,8 @@ impl<M: System, S: Scalar> Bound<M, S> {
             let highest = if straight { &mut dv[from..to] } else { &mut dq[from..to] };
             self.system.equations(&state, highest);
             let (dq, dv) = (&mut dq[from..to], &mut dv[row * second..][..second]);
-            for ((&i, dv), &v) in shape.second.iter().zip(dv).zip(v) {
+            for (k, (dv, &v)) in dv.iter_mut().zip(v).enumerate() {
+                let i = shape.second.coordinate(k);
                 if !straight {
                     *dv = dq[i];
                 }

@@ -1,6 +1,6 @@
 //! What a system's equations depend on: found by running them, not declared.
 
-use crate::{AnySystem, Layout, Rates, Values};
+use crate::{AnySystem, Given, Layout, Rates, Satellites, Values};
 use precess_scalar::Dependence;
 
 /// Facts about the equations with given parameters.
@@ -35,8 +35,20 @@ fn mark(coordinate: usize) -> u64 {
     1 << (2 + coordinate % 62)
 }
 
-/// Finds the structure of a system's equations for these parameters.
+/// Finds the structure of a system's equations for these parameters. Of a swarm, one tells how all are.
 pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) -> Structure {
+    let all = layout.coordinates.len();
+    match system.satellites(values, 1) {
+        Some(Satellites { rest, each, values }) if all > rest + each => {
+            let one = of_equations(system, &values, &system.layout(&values, &Given::default()));
+            let place = |i: usize| if i < rest { i } else { rest + (i - rest) % each };
+            Structure { cyclic: (0..all).map(|i| one.cyclic[place(i)]).collect(), ..one }
+        }
+        _ => of_equations(system, values, layout),
+    }
+}
+
+fn of_equations(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) -> Structure {
     let shape = layout.shape();
     let mut y = vec![Dependence::On(VELOCITY); shape.state()];
     for (i, place) in y[..shape.coordinates].iter_mut().enumerate() {
@@ -51,13 +63,12 @@ pub fn structure(system: &dyn AnySystem, values: &Values<f64>, layout: &Layout) 
     }
     let marks = dy.iter().chain(&crossings).fold(0, |all, d| all | d.marks());
     let resting = dy[shape.state()..].iter().map(|d| *d == Dependence::from(0.0)).collect();
-    let has_velocity = |i| shape.second.binary_search(&i).is_ok();
     Structure {
         second_order: shape.is_second_order(),
         velocity_enters: marks & VELOCITY != 0,
         time_enters: marks & TIME != 0,
         hybrid: shape.events > 0,
-        cyclic: (0..shape.coordinates).map(|i| has_velocity(i) && marks & mark(i) == 0).collect(),
+        cyclic: (0..shape.coordinates).map(|i| shape.second.contains(i) && marks & mark(i) == 0).collect(),
         resting,
     }
 }

@@ -1,28 +1,6 @@
 //! The recorded outcome of a run.
 
-/// What a column holds.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum ColumnKind {
-    /// Time.
-    Time,
-    /// A number of the state.
-    State,
-    /// An observable that moves.
-    Signal,
-    /// An observable that ought to stay constant with the parameters of this run.
-    Invariant,
-}
-
-/// A column of a trajectory.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Column {
-    /// Name, as on the card.
-    pub name: String,
-    /// Unit; empty for a pure number.
-    pub unit: String,
-    /// What it holds.
-    pub kind: ColumnKind,
-}
+use crate::{ColumnKind, Columns};
 
 /// An event that was met on the way.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,7 +17,7 @@ pub struct Occurrence {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trajectory {
     /// The columns.
-    pub columns: Vec<Column>,
+    pub columns: Columns,
     /// All numbers, row by row.
     pub numbers: Vec<f64>,
     /// Events in the order of time.
@@ -75,6 +53,6 @@ impl Trajectory {
     }
     /// Number of leading columns that make the result proper: time and state.
     pub fn state_columns(&self) -> usize {
-        self.columns.iter().take_while(|c| matches!(c.kind, ColumnKind::Time | ColumnKind::State)).count()
+        self.columns.count_leading(|kind| matches!(kind, ColumnKind::Time | ColumnKind::State))
     }
 }

@@ -25,8 +25,8 @@ pub struct Request<'a> {
 
 /// A side of a tile: of an axis's points those numbered `first`, `first + stride` and so on. A picture that is first
 /// coarse and then refined needs each point once, and a start has the same bits in whatever tile it is asked for.
-struct Side {
-    axis: Axis,
+pub struct Side {
+    pub axis: Axis,
     first: usize,
     stride: usize,
     count: usize,
@@ -39,7 +39,13 @@ const FAILURE: f64 = 6.0;
 pub fn ensemble(request: &Request, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, String), String> {
     let plan = plan(request.scenario)?;
     let names: Vec<&str> = request.names.lines().collect();
-    let starts = if request.grid { tile(&plan, &names, request) } else { list(&plan, &names, request) }?;
+    let fits = |members| fits(&plan, request, members);
+    let starts = if request.grid {
+        let sides = sides(&names, request.numbers)?;
+        tile(&plan, &names, &sides, fits)
+    } else {
+        list(&plan, &names, request.numbers, fits)
+    }?;
     let workers = Workers { isa: if request.plain { Isa::Scalar } else { Isa::best() }, threads: 1 };
     let keep = if request.samples { Keep::Samples } else { Keep::Last };
     let mut progress = |done: usize| {
@@ -52,29 +58,41 @@ pub fn ensemble(request: &Request, watch: &mut dyn FnMut(f64) -> bool) -> Result
 }
 
 /// Starts one by one.
-fn list(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, String> {
-    let numbers = request.numbers;
+fn list(
+    plan: &Plan,
+    names: &[&str],
+    numbers: &[f64],
+    fits: impl FnOnce(f64) -> Result<(), String>,
+) -> Result<Vec<f64>, String> {
     if names.is_empty() || numbers.is_empty() || !numbers.len().is_multiple_of(names.len()) {
         return Err(format!("{} numbers are no values of {}", numbers.len(), names.join(", ")));
     }
-    fits(plan, request, (numbers.len() / names.len()) as f64)?;
+    fits((numbers.len() / names.len()) as f64)?;
     let mut rows = numbers.chunks(names.len()).map(<[f64]>::to_vec);
     precess::starts(plan, names, &mut rows).map_err(|e| e.to_string())
 }
 
-/// Starts on a tile of a grid. The first axis runs fastest.
-fn tile(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, String> {
-    let (numbers, rest) = request.numbers.as_chunks();
-    if names.is_empty() || numbers.len() != names.len() || !rest.is_empty() {
-        return Err(format!("{} numbers are no axes of {}", request.numbers.len(), names.join(", ")));
+/// The sides of a tile, from six numbers for each name.
+pub fn sides(names: &[&str], numbers: &[f64]) -> Result<Vec<Side>, String> {
+    let (sixes, rest) = numbers.as_chunks();
+    if names.is_empty() || sixes.len() != names.len() || !rest.is_empty() {
+        return Err(format!("{} numbers are no axes of {}", numbers.len(), names.join(", ")));
     }
-    let sides = names.iter().zip(numbers).map(|(name, numbers)| side(name, numbers));
-    let sides: Vec<Side> = sides.collect::<Result<_, _>>()?;
+    names.iter().zip(sixes).map(|(name, six)| side(name, six)).collect()
+}
+
+/// Starts on a tile of a grid. The first axis runs fastest.
+pub fn tile(
+    plan: &Plan,
+    names: &[&str],
+    sides: &[Side],
+    fits: impl FnOnce(f64) -> Result<(), String>,
+) -> Result<Vec<f64>, String> {
     // The corner of the whole grid tells of wrong names, values and axes without points.
     let corner =
         sides.iter().map(|side| Axis { points: usize::from(side.axis.points > 0), ..side.axis.clone() });
     grid(plan, &corner.collect::<Vec<_>>()).map_err(|e| e.to_string())?;
-    for Side { axis, first, stride, count } in &sides {
+    for Side { axis, first, stride, count } in sides {
         let last =
             count.checked_sub(1).and_then(|n| n.checked_mul(*stride)).and_then(|n| n.checked_add(*first));
         if last.is_none_or(|last| last >= axis.points) {
@@ -84,7 +102,7 @@ fn tile(plan: &Plan, names: &[&str], request: &Request) -> Result<Vec<f64>, Stri
             ));
         }
     }
-    fits(plan, request, sides.iter().map(|side| side.count as f64).product())?;
+    fits(sides.iter().map(|side| side.count as f64).product())?;
     let values = |Side { axis, first, stride, count }: &Side| {
         (0..*count).map(|k| axis.value(first + stride * k)).collect()
     };

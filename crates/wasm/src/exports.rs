@@ -8,7 +8,7 @@
 #![allow(unsafe_code)]
 
 use crate::kept::{Kept, Table};
-use crate::{catalogue, desk, ensemble, memory, run, trust};
+use crate::{basins, catalogue, desk, ensemble, memory, run, trust};
 
 /// Makes room for an input of so many bytes; null where there is none, and earlier inputs are then forgotten, too. The
 /// next call takes all inputs, in order.
@@ -68,6 +68,28 @@ pub extern "C" fn precess_ensemble(grid: u32, samples: u32, plain: u32) -> u32 {
             plain: plain != 0,
         };
         ensemble::ensemble(&request, &mut host::progress)
+    };
+    desk::keep(done())
+}
+
+/// Where the starts of a tile end, only what is proved: a handle to their labels (the number of an attractor in the answer;
+/// -1 undecided, -2 escaped, -3 diverged). The inputs are those of an ensemble's grid. `once` not zero follows each start
+/// once, and does not ask whether another tolerance agrees; `plain` as above.
+#[unsafe(no_mangle)]
+pub extern "C" fn precess_basins(once: u32, plain: u32) -> u32 {
+    let done = || {
+        if FIRST {
+            return Err("this core has no basins".into());
+        }
+        let [scenario, names, numbers] = desk::inputs()?;
+        let request = basins::Request {
+            scenario: &desk::text(scenario)?,
+            names: &desk::text(names)?,
+            numbers: &desk::numbers(&numbers)?,
+            once: once != 0,
+            plain: plain != 0,
+        };
+        basins::basins(&request, &mut host::progress)
     };
     desk::keep(done())
 }

@@ -8,6 +8,7 @@
 //! Another kind of result is another function that makes a `kept::Kept`: reading it, hashing it and freeing it are
 //! there already.
 
+mod basins;
 mod catalogue;
 mod desk;
 mod ensemble;

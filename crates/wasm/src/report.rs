@@ -1,19 +1,22 @@
 //! What is said of a result beside its numbers, as JSON.
 
+use precess::basins::Attractor;
 use precess::system::{Column, ColumnKind, Event, Trajectory};
-use precess::{Answer, Drift, Members, Plan, Provenance, scenario_toml};
+use precess::{Answer, Drift, Members, Plan, Provenance, hash_text, scenario_toml};
 use serde_json::{Value, json};
 
 /// The report of a run. A number that is not finite is null, as JSON has it.
 pub fn run(
     trajectory: &Trajectory,
     events: &[String],
-    known: &[Event],
+    plan: &Plan,
     provenance: &Provenance,
     drifts: &[Drift],
     stopped_by: Option<&str>,
     failure: Option<&str>,
 ) -> Value {
+    let known = &plan.layout.events;
+    let scenario = scenario_toml(plan);
     json!({
         "rows": trajectory.len(),
         "columns": trajectory.columns.iter().map(column).collect::<Vec<_>>(),
@@ -23,8 +26,8 @@ pub fn run(
         "stopped_by": stopped_by,
         "failure": failure,
         "version": provenance.version,
-        "scenario": provenance.scenario,
-        "scenario_hash": provenance.scenario_hash,
+        "scenario_hash": hash_text(&scenario),
+        "scenario": scenario,
         "steps": provenance.steps,
         "rejections": provenance.rejections,
         "evaluations": provenance.evaluations,
@@ -49,13 +52,23 @@ pub fn ensemble(plan: &Plan, members: &Members) -> Value {
     })
 }
 
+/// The report of labels: the attractors that they number, by their states.
+pub fn basins(plan: &Plan, attractors: &[Attractor], rows: usize) -> Value {
+    let state = plan.layout.state();
+    json!({
+        "rows": rows,
+        "columns": state.iter().map(|q| json!({ "name": q.name, "unit": q.unit })).collect::<Vec<_>>(),
+        "attractors": attractors.iter().map(|a| &a.state).collect::<Vec<_>>(),
+    })
+}
+
 /// The report of what an analysis gives.
 pub fn answer(Answer { table, failure, .. }: &Answer) -> Value {
     let columns: Vec<_> = table.columns.iter().map(column).collect();
     json!({ "rows": table.len(), "columns": columns, "failure": failure })
 }
 
-fn column(column: &Column) -> Value {
+fn column(column: Column) -> Value {
     let kind = match column.kind {
         ColumnKind::Time => "time",
         ColumnKind::State => "state",

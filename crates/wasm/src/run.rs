@@ -29,9 +29,8 @@ pub fn run(text: &str, watch: &mut dyn FnMut(f64) -> bool) -> Result<(Kept, Stri
     let kept = Kept::from(outcome.trajectory);
     let Kept::Run { trajectory, names, .. } = &kept else { unreachable!("a trajectory is a run") };
     let stopped_by = outcome.stopped_by.as_deref();
-    let known = &plan.layout.events;
     let report =
-        report::run(trajectory, names, known, &outcome.provenance, &drifts, stopped_by, failure.as_deref());
+        report::run(trajectory, names, &plan, &outcome.provenance, &drifts, stopped_by, failure.as_deref());
     Ok((kept, report.to_string()))
 }
 
@@ -46,7 +45,7 @@ pub fn plan(text: &str) -> Result<Plan, String> {
 /// Whether the samples find room. A table that grows may take twice what it holds.
 pub fn fits(plan: &Plan) -> Result<(), String> {
     let rows = plan.until.abs() / plan.every + 2.0;
-    memory::fits(rows * plan.columns().len() as f64 * 2.0, || {
+    memory::fits(rows * plan.width() as f64 * 2.0, || {
         format!("{rows:.1e} samples do not fit into the memory of this page: make 'every' longer")
     })
 }
@@ -75,7 +74,7 @@ mod tests {
         assert_eq!(kept.hash(1), None);
         assert_eq!(report["rows"], 11);
         assert_eq!(report["failure"], Value::Null);
-        assert_eq!(report["scenario"], expected.provenance.scenario.as_str());
+        assert_eq!(report["scenario"], precess::scenario_toml(&plan));
     }
 
     #[test]

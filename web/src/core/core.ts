@@ -1,8 +1,9 @@
+import { Basins } from "./basins";
 import type { Catalogue } from "./catalogue";
 import { Ensemble } from "./ensemble";
 import { instantiate } from "./exports";
 import { Instance } from "./instance";
-import type { EnsembleReport, Report, TableReport } from "./report";
+import type { BasinsReport, EnsembleReport, Report, TableReport } from "./report";
 import { Run } from "./run";
 import { Table } from "./table";
 import type { Axis } from "./tiles";
@@ -26,6 +27,10 @@ export interface EnsembleOptions {
   lanes?: boolean;
   /** Told the number of members that are done; those that are not when it says `false` have failed. */
   progress?: Progress;
+}
+
+export interface BasinsOptions extends Pick<EnsembleOptions, "lanes" | "progress"> {
+  once?: boolean;
 }
 
 /** The core of Precess in this thread. A call blocks until it is done: a page keeps it in a worker. */
@@ -77,15 +82,36 @@ export class Core {
   ): Ensemble {
     const grid = !("names" in starts);
     const names = grid ? starts.map(({ name }) => name) : starts.names;
-    // A line break within a name would make two of it.
-    const lines = names.map((name) => name.replace(/[\r\n]/g, " "));
     const numbers = Float64Array.from(grid ? starts.flatMap(numbersOf) : starts.values);
-    this.#instance.write(scenario, lines.join("\n"), numbers);
+    this.#instance.write(scenario, linesOf(names), numbers);
     return this.#watch.during(progress, () => {
       const { value, answer } = this.#instance.ask((exports) =>
         exports.precess_ensemble(Number(grid), Number(keep === "samples"), Number(!lanes)),
       );
       return new Ensemble(this.#instance, value, JSON.parse(answer) as EnsembleReport);
+    });
+  }
+
+  /**
+   * Where the starts of a grid end, only what is proved: better asked for in `tiles`, each of which has the labels of the
+   * whole grid. `once` follows each start once, and does not ask whether another tolerance agrees. A start that work was
+   * ended before is undecided.
+   */
+  basins(
+    scenario: string,
+    axes: readonly Axis[],
+    { once = false, lanes = true, progress }: BasinsOptions = {},
+  ): Basins {
+    this.#instance.write(
+      scenario,
+      linesOf(axes.map(({ name }) => name)),
+      Float64Array.from(axes.flatMap(numbersOf)),
+    );
+    return this.#watch.during(progress, () => {
+      const { value, answer } = this.#instance.ask((exports) =>
+        exports.precess_basins(Number(once), Number(!lanes)),
+      );
+      return new Basins(this.#instance, value, JSON.parse(answer) as BasinsReport);
     });
   }
 
@@ -107,6 +133,9 @@ export class Core {
     return { used: precess_used() >>> 0, size: memory.buffer.byteLength };
   }
 }
+
+/** Names, one a line: a line break within a name would make two of it. */
+const linesOf = (names: readonly string[]) => names.map((name) => name.replace(/[\r\n]/g, " ")).join("\n");
 
 /** An axis as the core reads it. */
 function numbersOf({ low, high, points, part = { first: 0, stride: 1, points } }: Axis): number[] {

@@ -1,5 +1,6 @@
+export type { Basins } from "./basins";
 export type * from "./catalogue";
-export { Core, type EnsembleOptions, type Progress, type Starts } from "./core";
+export { type BasinsOptions, Core, type EnsembleOptions, type Progress, type Starts } from "./core";
 export type { Ensemble } from "./ensemble";
 export { CoreBroken, CoreError } from "./error";
 export type * from "./report";

@@ -52,3 +52,12 @@ export interface EnsembleReport {
   /** The scenario (TOML) that the members have in common, with everything spelt out. */
   scenario: string;
 }
+
+export interface BasinsReport {
+  /** How many starts there are. */
+  rows: number;
+  /** The numbers of a state: coordinates, velocities. */
+  columns: Pick<Column, "name" | "unit">[];
+  /** The attractors that labels number, by their states. */
+  attractors: number[][];
+}

@@ -4,7 +4,7 @@
 import { tiles, type Axis } from "../core";
 import plainUrl from "../../wasm/precess.wasm?url";
 import lanesUrl from "../../wasm/precess-simd128.wasm?url";
-import type { TileAnswer, TileAsk } from "./mapworker";
+import type { TileAnswer, TileAsk, Wanted } from "./mapworker";
 
 /** The smallest module with a 128-bit number in it. */
 const SIMD = new Uint8Array([
@@ -21,11 +21,11 @@ const COARSE = (2 * FIRST) ** 2;
 const pointsOf = (tile: readonly Axis[]) =>
   tile.reduce((all, { points, part }) => all * (part?.points ?? points), 1);
 
-/** A map that is wanted: some columns of the last state over a grid of starts. */
+/** A map that is wanted, over a grid of starts. */
 export interface MapAsk {
   text: string;
   axes: Axis[];
-  columns: string[];
+  wanted: Wanted;
   /** Hears each tile as it is done. */
   told: (tile: TileAnswer) => void;
 }
@@ -92,7 +92,7 @@ export class Mapper {
         round: this.#round,
         text: this.#now.text,
         tile: next.value,
-        columns: this.#now.columns,
+        wanted: this.#now.wanted,
       };
       this.#idle.pop()?.postMessage(ask);
     }

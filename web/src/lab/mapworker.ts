@@ -1,5 +1,5 @@
 /// <reference lib="webworker" />
-// A thread that computes tiles of a map: where runs from many starts end.
+// A thread that computes tiles of a map: where runs from many starts end, or are proved to end.
 
 import { Core, type Axis } from "../core";
 
@@ -8,14 +8,24 @@ export interface TileAsk {
   round: number;
   text: string;
   tile: Axis[];
-  columns: string[];
+  wanted: Wanted;
 }
+/** Columns of the states at the end of the run, or labels that are proved. */
+export type Wanted = { columns: string[] } | "labels";
 export interface TileAnswer {
   round: number;
   tile: Axis[];
-  /** A column each, of the states at the end. */
+  /** A column each, of the states at the end; or the labels alone. */
   values: Float64Array[];
+  /** What labels number. */
+  attractors: Attractors;
   refusal: string;
+}
+
+/** States column by column, under their names. */
+export interface Attractors {
+  names: string[];
+  states: Float64Array[];
 }
 
 let core: Promise<Core> | undefined;
@@ -27,14 +37,24 @@ addEventListener("message", ({ data }: MessageEvent<TileAsk>) => {
   });
 });
 
-function compute(core: Core, { round, text, tile, columns }: TileAsk): TileAnswer {
+function compute(core: Core, { round, text, tile, wanted }: TileAsk): TileAnswer {
+  const answer = { round, tile, attractors: { names: [], states: [] }, refusal: "" };
   try {
+    if (wanted === "labels") {
+      const part = core.basins(text, tile);
+      const { columns, attractors } = part.report;
+      const names = columns.map(({ name }) => name);
+      const states = names.map((_, k) => Float64Array.from(attractors, (state) => state[k] ?? NaN));
+      const values = [part.labels];
+      part.free();
+      return { ...answer, values, attractors: { names, states } };
+    }
     const part = core.ensemble(text, tile);
-    const values = columns.map((column) => part.column(column));
+    const values = wanted.columns.map((column) => part.column(column));
     part.free();
-    return { round, tile, values, refusal: "" };
+    return { ...answer, values };
   } catch (error) {
     const refusal = error instanceof Error ? error.message : String(error);
-    return { round, tile, values: [], refusal };
+    return { ...answer, values: [], refusal };
   }
 }

@@ -6,6 +6,7 @@
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 use precess::figure::{Panel, Stroke};
 
+use super::map;
 use super::path::dashes;
 use super::style::{INK, INKS, LABEL, PANEL_TITLE, SOFT};
 use super::text::{clean, fitting, line, width};
@@ -19,12 +20,22 @@ const AROUND: f64 = 24.0;
 /// Lines of names at most; the rest is counted.
 const LINES: usize = 4;
 
+/// How a name is shown.
+#[derive(Clone, Debug, PartialEq)]
+enum Sample {
+    Line {
+        dashes: Option<String>,
+    },
+    Dots,
+    /// A class of a map: its colour and pattern.
+    Patch,
+}
+
 /// What a colour stands for.
 #[derive(Clone, Debug, PartialEq)]
 struct Name {
     ink: usize,
-    dashes: Option<String>,
-    dots: bool,
+    sample: Sample,
     text: String,
 }
 
@@ -90,11 +101,14 @@ fn named(panel: &Panel) -> Vec<Name> {
     let curves = panel.curves.iter().enumerate().map(|(index, curve)| {
         let ink = curve.ink.unwrap_or(index);
         let broken = (curve.stroke == Stroke::Dashed).then(|| "5 4".to_owned());
-        let dots = curve.stroke == Stroke::Dots;
-        Name { ink, dashes: broken.or_else(|| dashes(ink)), dots, text: clean(&curve.label) }
+        let sample = match curve.stroke {
+            Stroke::Dots => Sample::Dots,
+            _ => Sample::Line { dashes: broken.or_else(|| dashes(ink)) },
+        };
+        Name { ink, sample, text: clean(&curve.label) }
     });
     let classes = panel.map.iter().flat_map(|map| map.names.iter().enumerate());
-    let classes = classes.map(|(ink, name)| Name { ink, dashes: None, dots: false, text: clean(name) });
+    let classes = classes.map(|(ink, name)| Name { ink, sample: Sample::Patch, text: clean(name) });
     for name in classes.chain(curves).filter(|name| !name.text.is_empty()) {
         if !all.contains(&name) {
             all.push(name);
@@ -139,8 +153,12 @@ fn draw_names(scene: &mut Scene, names: &[Name], start: f64, base: f64) {
     let mut x = start;
     for name in names {
         let (y, colour) = (base - 4.0, INKS[name.ink % INKS.len()]);
-        if name.dots {
-            scene.add(Primitive::Circle {
+        match &name.sample {
+            Sample::Patch => {
+                let class = i32::try_from(name.ink).unwrap_or(i32::MAX);
+                map::swatch(scene, class, (x.round(), (y - 0.5 * map::SWATCH.1).round()));
+            }
+            Sample::Dots => scene.add(Primitive::Circle {
                 cx: x.round() + STROKE - 5.0,
                 cy: y,
                 r: 3.0,
@@ -148,17 +166,16 @@ fn draw_names(scene: &mut Scene, names: &[Name], start: f64, base: f64) {
                 fill_opacity: None,
                 stroke: None,
                 stroke_width: None,
-            });
-        } else {
-            scene.add(Primitive::Line {
+            }),
+            Sample::Line { dashes } => scene.add(Primitive::Line {
                 x1: x.round(),
                 y1: y,
                 x2: x.round() + STROKE,
                 y2: y,
                 stroke: colour.into(),
                 stroke_width: 2.0,
-                stroke_dasharray: name.dashes.clone(),
-            });
+                stroke_dasharray: dashes.clone(),
+            }),
         }
         scene.add(line(x + STROKE + 6.0, base, &name.text, LABEL, TextAnchor::Start, INK));
         x += extent(&name.text);

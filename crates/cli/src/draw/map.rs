@@ -11,6 +11,8 @@ use super::style::{INKS, SHADES, UNCLASSED};
 const PATTERN: f64 = 8.0;
 /// A cell larger than this, in pixels, is drawn in parts.
 const FINE: f64 = 2.0;
+/// Size of a sample of a class.
+pub const SWATCH: (f64, f64) = (18.0, 12.0);
 
 /// Draws the cells: a path for each colour, so that neighbours have no seam between them.
 pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
@@ -32,13 +34,25 @@ pub fn draw(scene: &mut Scene, map: &Map, placed: &Placed) {
     let cell = ((across(right) - across(left)) / map.columns as f64).abs().max(0.05);
     let parts = (cell / FINE).round().max(1.0) as usize;
     let period = (PATTERN * parts as f64 / cell).round().max(4.0) as usize;
-    let columns = map.columns * parts;
     let xs: Vec<f64> = edges(map.x, map.columns, parts).into_iter().map(across).collect();
     let ys: Vec<f64> = edges(map.y, rows, parts).into_iter().map(up).collect();
+    paint(scene, &xs, &ys, period, |i, j| map.classes[j / parts * map.columns + i / parts]);
+}
+
+/// A sample of a class: its colour and its pattern, from the upper left corner, [`SWATCH`] wide and high.
+pub fn swatch(scene: &mut Scene, class: i32, (x, y): (f64, f64)) {
+    let lines = |from: f64, size: f64| -> Vec<f64> {
+        (0..=(size / FINE) as usize).map(|k| from + FINE * k as f64).collect()
+    };
+    paint(scene, &lines(x, SWATCH.0), &lines(y, SWATCH.1), (PATTERN / FINE) as usize, |_, _| class);
+}
+
+/// Paints cells between lines, each in the colour of its class.
+fn paint(scene: &mut Scene, xs: &[f64], ys: &[f64], period: usize, class: impl Fn(usize, usize) -> i32) {
+    let (columns, rows) = (xs.len() - 1, ys.len() - 1);
     let mut paths: Vec<(String, String)> = Vec::new();
-    for j in 0..rows * parts {
-        let row = &map.classes[j / parts * map.columns..][..map.columns];
-        let colours: Vec<&str> = (0..columns).map(|i| colour(row[i / parts], i, j, period)).collect();
+    for j in 0..rows {
+        let colours: Vec<&str> = (0..columns).map(|i| colour(class(i, j), i, j, period)).collect();
         let mut i = 0;
         while i < columns {
             let end = (i..columns).find(|&k| colours[k] != colours[i]).unwrap_or(columns);

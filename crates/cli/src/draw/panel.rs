@@ -98,9 +98,11 @@ fn curves(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
     }
 }
 
-/// Marked points, each with its text on the side where there is room.
+/// Marked points, each with its text on the side where there is room; where there is none beside the other texts, the sign
+/// alone.
 fn marks(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
     let (frame, panel) = (placed.frame, placed.panel);
+    let mut taken: Vec<[f64; 4]> = vec![];
     for mark in panel.marks.iter().filter(|m| drawable(panel, m.x, m.y)) {
         let cx = computed.map_x(placed.axes.x.local(mark.x));
         let cy = computed.map_y(placed.axes.y.local(mark.y));
@@ -114,11 +116,26 @@ fn marks(scene: &mut Scene, placed: &Placed, computed: &ComputedLayout) {
         if text.is_empty() {
             continue;
         }
-        let outward = cx + 8.0 + width(&text, TICK) > frame.x + frame.wide;
-        let (x, anchor) = if outward { (cx - 8.0, TextAnchor::End) } else { (cx + 8.0, TextAnchor::Start) };
-        let y = if cy - 16.0 < frame.y { cy + 15.0 } else { cy - 7.0 };
-        scene.add(line(x, y, &text, TICK, anchor, INK));
+        let wide = width(&text, TICK);
+        let sides = [(8.0, -7.0), (-8.0 - wide, -7.0), (8.0, 15.0), (-8.0 - wide, 15.0)];
+        let places = sides.map(|(right, down)| {
+            let (x, y) = (cx + right, cy + down);
+            ([x, x + wide, y - 9.0, y + 3.0], (x, y))
+        });
+        let free = || places.iter().filter(|(own, _)| !taken.iter().any(|other| overlap(own, other)));
+        let inside =
+            |own: &[f64; 4]| own[0] >= frame.x && own[1] <= frame.x + frame.wide && own[2] >= frame.y;
+        let best = free().find(|(own, _)| inside(own)).or_else(|| free().next());
+        if let Some(&(own, (x, y))) = best {
+            taken.push(own);
+            scene.add(line(x, y, &text, TICK, TextAnchor::Start, INK));
+        }
     }
+}
+
+/// Whether two boxes (left, right, top, bottom) have anything in common.
+fn overlap(a: &[f64; 4], b: &[f64; 4]) -> bool {
+    a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3]
 }
 
 /// The shape of a mark.

@@ -2,7 +2,7 @@
 #![allow(dead_code, reason = "each test uses its own share")]
 
 use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output};
 
 pub fn precess(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_precess")).args(arguments).output().expect("the program starts")
@@ -14,6 +14,26 @@ pub fn out(output: &Output) -> String {
 
 pub fn err(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The most memory that a program has had when it has ended well, in bytes (as Linux tells it).
+pub fn peak_of(mut child: Child) -> u64 {
+    let status = format!("/proc/{}/status", child.id());
+    let mut most = 0;
+    let end = loop {
+        // It only grows, and is gone with the program.
+        let text = std::fs::read_to_string(&status).unwrap_or_default();
+        let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        if let Some(kilobytes) = line.and_then(|l| l.trim().strip_suffix(" kB")?.parse::<u64>().ok()) {
+            most = 1000 * kilobytes;
+        }
+        if let Some(end) = child.try_wait().expect("a child") {
+            break end;
+        }
+        std::thread::yield_now();
+    };
+    assert!(end.success() && most > 0, "{end} {most}");
+    most
 }
 
 /// What is wrong is told in one sentence with this word in it, and nothing else.

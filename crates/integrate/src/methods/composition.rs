@@ -13,7 +13,8 @@ use precess_system::Shape;
 pub struct Composition<S> {
     /// Length of each Verlet step, and the time it ends, in steps.
     parts: Vec<(S, S)>,
-    pairs: Vec<(usize, usize)>,
+    /// Coordinates of all rows; behind them stand as many velocities.
+    coordinates: usize,
     /// Rates at the start and at the end of the step.
     start: Vec<S>,
     end: Vec<S>,
@@ -39,7 +40,7 @@ impl<S: Scalar> Composition<S> {
         let zeros = vec![S::from(0.0); shape.size()];
         Self {
             parts,
-            pairs: shape.pairs().collect(),
+            coordinates: shape.rows * shape.coordinates,
             start: zeros.clone(),
             end: zeros,
             warm: false,
@@ -57,26 +58,41 @@ impl<S: Scalar> Stepper<S> for Composition<S> {
             self.evaluations += 1;
             self.warm = true;
         }
-        out.copy_from_slice(y);
+        let n = self.coordinates;
+        out[2 * n..].copy_from_slice(&y[2 * n..]);
         for (part, &(weight, end)) in self.parts.iter().enumerate() {
             let length = h * weight;
             let half = length * 0.5;
-            let rate = if part == 0 { &self.start } else { &self.end };
-            for &(x, v) in &self.pairs {
-                out[v] = out[v] + half * rate[v];
-                out[x] = out[x] + length * out[v];
+            let (x, v) = out[..2 * n].split_at_mut(n);
+            if part == 0 {
+                let (x0, v0, a) = (&y[..n], &y[n..2 * n], &self.start[n..2 * n]);
+                for k in 0..n {
+                    v[k] = v0[k] + half * a[k];
+                    x[k] = x0[k] + length * v[k];
+                }
+            } else {
+                let a = &self.end[n..2 * n];
+                for k in 0..n {
+                    v[k] = v[k] + half * a[k];
+                    x[k] = x[k] + length * v[k];
+                }
             }
             // The accelerations see positions and time alone, so the half-kicked velocities do no harm.
             field.rate(t + h * end, out, &mut self.end);
             self.evaluations += 1;
-            for &(_, v) in &self.pairs {
-                out[v] = out[v] + half * self.end[v];
+            let (v, a) = (&mut out[n..2 * n], &self.end[n..2 * n]);
+            for k in 0..n {
+                v[k] = v[k] + half * a[k];
             }
         }
         Ok(())
     }
     #[inline(always)]
     fn accept(&mut self, accepted: S::Mask) {
+        if S::all(accepted) {
+            std::mem::swap(&mut self.start, &mut self.end);
+            return;
+        }
         for (start, end) in self.start.iter_mut().zip(&self.end) {
             *start = S::select(accepted, *end, *start);
         }

@@ -7,7 +7,7 @@ use precess_integrate::{
     AnyMethod, METHODS, MethodCard, Needs, NoConvergence, Options, Step, Stepper, Steps,
 };
 use precess_scalar::{Scalar, Tape};
-use precess_system::{Field, Shape};
+use precess_system::{Field, Second, Shape};
 use std::sync::Arc;
 
 /// A system's equations, over every number.
@@ -30,7 +30,7 @@ pub struct Bound<T> {
 pub fn bind<T: Toy>(toy: T, second: usize, first: usize, events: usize) -> Bound<T> {
     let shape = Shape {
         coordinates: second + first,
-        second: (0..second).collect(),
+        second: Second::of((0..second + first).map(|i| i < second)),
         attitudes: vec![],
         modes: 0,
         observables: 0,

@@ -10,6 +10,7 @@
 use super::cluster_card::{self, HEAVY};
 use precess_scalar::Scalar;
 use precess_system::{Card, Given, Layout, Satellites, State, System, Values};
+use std::collections::HashSet;
 
 /// See the module.
 #[derive(Clone)]
@@ -31,13 +32,16 @@ impl System for Cluster {
     fn start(&self, given: &Given, _values: &Values<f64>, y: &mut [f64]) -> Result<(), String> {
         let half = y.len() / 2;
         let shifts = cluster_card::shifts([y[2], y[3], y[half + 2], y[half + 3]]);
-        if shifts != [0.0; 4] {
-            for (k, shift) in shifts.into_iter().enumerate() {
-                let (first, axis) = (k / 2 * half, k % 2);
-                for body in HEAVY..half / 2 {
-                    if !cluster_card::is_given(given, body, k) {
-                        y[first + 2 * body + axis] += shift;
-                    }
+        if shifts == [0.0; 4] {
+            return Ok(());
+        }
+        // A set, for there may be a million names; it is asked, not walked.
+        let names: HashSet<&str> = given.0.iter().map(|(name, _)| name.as_str()).collect();
+        for (k, shift) in shifts.into_iter().enumerate() {
+            let (first, axis) = (k / 2 * half, k % 2);
+            for body in HEAVY..half / 2 {
+                if !names.contains(cluster_card::name(body, k).as_str()) {
+                    y[first + 2 * body + axis] += shift;
                 }
             }
         }

@@ -1,6 +1,9 @@
 //! The card of `cluster`, and where its rings start.
 
-use precess_system::{Card, Coordinate, Given, Layout, card, choice, coordinate, list, number, rows};
+use precess_system::{
+    Card, Coordinate, Coordinates, Layout, Quantity, Swarm, card, choice, coordinate, list, number, quantity,
+    rows,
+};
 
 /// The bodies that attract.
 pub(super) const HEAVY: usize = 2;
@@ -69,39 +72,67 @@ pub(super) fn card_of_cluster() -> Card {
         .path_view("x*", "y*")
         .time_view(&["bound", "captured"])
         .run(350.0, 0.01);
-    coordinates(&RINGS).into_iter().fold(card, Card::coordinate)
+    coordinates(&RINGS).iter().fold(card, Card::coordinate)
 }
 
 pub(super) fn layout(rings: &[Ring]) -> Layout {
     Layout { coordinates: coordinates(rings), ..Layout::of(&card_of_cluster()) }
 }
 
-fn coordinates(rings: &[Ring]) -> Vec<Coordinate> {
-    let starts = [[-100.0, 0.0, 0.0, 0.0], CENTRE].into_iter().chain(asteroids(rings));
-    let one = |(body, [x, y, u, v]): (usize, [f64; 4])| {
-        let (en, fr) = if body < HEAVY { ("body", "du corps") } else { ("asteroid", "de l'astéroïde") };
-        [("x", x, u), ("y", y, v)].map(|(axis, place, speed)| {
-            let (en, fr) = (format!("{axis} of {en} {body}"), format!("{axis} {fr} {body}"));
-            coordinate(&format!("{axis}{body}"), "", &en, &fr).start(place).start_dot(speed)
+fn coordinates(rings: &[Ring]) -> Coordinates {
+    let heavy = [[-100.0, 0.0, 0.0, 0.0], CENTRE].into_iter().enumerate().flat_map(|(body, [x, y, u, v])| {
+        [(x, u), (y, v)].into_iter().enumerate().map(move |(axis, (place, speed))| {
+            let quantity = place_of(body, axis, "body", "du corps");
+            Coordinate { quantity, ..coordinate("", "", "", "") }.start(place).start_dot(speed)
         })
-    };
-    starts.enumerate().flat_map(one).collect()
+    });
+    Coordinates::with_swarm(heavy.collect(), Asteroids::of(rings))
 }
 
-/// The starts of the asteroids as P's program has them: its angles count on from ring to ring. Rings that make no sense
-/// have none, and are refused by the check.
-fn asteroids(rings: &[Ring]) -> impl Iterator<Item = [f64; 4]> + '_ {
-    let sound = check_rings(rings).is_ok();
-    let mut before = 0.0;
-    rings.iter().filter(move |_| sound).flat_map(move |&[count, places, radius, speed]| {
-        let first = before;
-        before += count;
-        (0..count as usize).map(move |k| {
-            let (sin, cos) = precess_scalar::Scalar::sin_cos(TURN * (first + k as f64) / places);
-            let [x, y, u, v] = CENTRE;
-            [x + radius * cos, y + radius * sin, u + speed * sin, v - speed * cos]
-        })
-    })
+/// A coordinate of a body by its number and axis.
+fn place_of(body: usize, axis: usize, en: &str, fr: &str) -> Quantity {
+    let axis = ["x", "y"][axis];
+    let (en, fr) = (format!("{axis} of {en} {body}"), format!("{axis} {fr} {body}"));
+    quantity(&format!("{axis}{body}"), "", &en, &fr)
+}
+
+/// x and y of each asteroid. Rings that make no sense have none, and are refused by the check.
+#[derive(Debug)]
+struct Asteroids {
+    rings: Vec<Ring>,
+    /// How many asteroids come before those of each ring, and how many there are.
+    before: Vec<f64>,
+}
+
+impl Asteroids {
+    fn of(rings: &[Ring]) -> Self {
+        let rings = if check_rings(rings).is_ok() { rings.to_vec() } else { vec![] };
+        let mut before = vec![0.0];
+        for (k, ring) in rings.iter().enumerate() {
+            before.push(before[k] + ring[0]);
+        }
+        Self { rings, before }
+    }
+}
+
+impl Swarm for Asteroids {
+    fn size(&self) -> usize {
+        2 * self.before[self.rings.len()] as usize
+    }
+
+    fn quantity(&self, k: usize) -> Quantity {
+        place_of(HEAVY + k / 2, k % 2, "asteroid", "de l'astéroïde")
+    }
+
+    /// As P's program has it: its angles count on from ring to ring.
+    fn start(&self, k: usize) -> [f64; 2] {
+        let number = (k / 2) as f64;
+        let [_, places, radius, speed] =
+            self.rings[self.before.partition_point(|first| *first <= number) - 1];
+        let (sin, cos) = precess_scalar::Scalar::sin_cos(TURN * number / places);
+        let [x, y, u, v] = CENTRE;
+        if k % 2 == 0 { [x + radius * cos, u + speed * sin] } else { [y + radius * sin, v - speed * cos] }
+    }
 }
 
 pub(super) fn check_rings(rings: &[Ring]) -> Result<(), String> {
@@ -130,8 +161,7 @@ pub(super) fn shifts(start: [f64; 4]) -> [f64; 4] {
     std::array::from_fn(|k| start[k] - CENTRE[k])
 }
 
-/// Whether a start of an asteroid is given: x, y and their rates.
-pub(super) fn is_given(given: &Given, body: usize, k: usize) -> bool {
-    let name = format!("{}{body}{}", ["x", "y"][k % 2], ["", "_dot"][k / 2]);
-    given.get(&name).is_some()
+/// The name of a start of an asteroid: x, y and their rates.
+pub(super) fn name(body: usize, k: usize) -> String {
+    format!("{}{body}{}", ["x", "y"][k % 2], ["", "_dot"][k / 2])
 }

@@ -36,7 +36,7 @@ pub(super) fn card_of_two() -> Card {
 /// The layout for any number of bodies.
 pub(super) fn layout(bodies: usize, dimensions: usize) -> Layout {
     let card = observables(card("n_body", "", ""), bodies, dimensions);
-    Layout { coordinates: coordinates(bodies, dimensions), ..Layout::of(&card) }
+    Layout { coordinates: coordinates(bodies, dimensions).into(), ..Layout::of(&card) }
 }
 
 /// Body by body: its place; the first two start as P's planets, any other at rest at the origin.

@@ -52,7 +52,7 @@ impl System for NPendulum {
     }
 
     fn layout(&self, values: &Values<f64>, _given: &Given) -> Layout {
-        Layout { coordinates: angles(values.lists[0].items.len()), ..Layout::of(&self.card()) }
+        Layout { coordinates: angles(values.lists[0].items.len()).into(), ..Layout::of(&self.card()) }
     }
 
     fn check(&self, s: &State<f64>) -> Result<(), String> {

@@ -80,7 +80,7 @@ fn one(system: Any, values: &Values<f64>, given: &Given, draw: &mut Draw) -> Res
         }
     }
     let layout = system.layout(&values, given);
-    let starts = layout.starts().into_iter().zip(layout.start()).map(|(quantity, start)| {
+    let starts = layout.starts().zip(layout.start()).map(|(quantity, start)| {
         let size = 1.5 * (1.0 + start.abs());
         let low = if quantity.range.low < 0.0 { -size } else { quantity.range.low };
         (quantity.name, draw.between(low, size))

@@ -95,7 +95,7 @@ fn plane(plan: &Plan, spec: &FrenetSpec) -> Result<[usize; 2], Error> {
         return input(format!("{} has no plane path of its own: give x and y", plan.card.id));
     };
     let columns = [resolve::column(plan, &x)?, resolve::column(plan, &y)?];
-    let units = columns.map(|k| plan.columns()[k].unit.clone());
+    let units = columns.map(|k| plan.column(k).unit);
     if columns.contains(&0) || units[0] != units[1] {
         return input(format!("{x} and {y} are no coordinates of one plane"));
     }

@@ -41,7 +41,7 @@ pub(crate) fn panel(
         }
         FigureKind::Basins => {
             let axes = spec.grid.iter().map(|text| Axis::parse(plan, text)).collect::<Result<_, _>>()?;
-            let asked = BasinsSpec { axes, wrap: false };
+            let asked = BasinsSpec { axes, ..BasinsSpec::default() };
             let found = basins(&alone(plan)?, &asked, Workers::chosen()?, progress)?;
             found.figure().panels.into_iter().next().unwrap_or_default()
         }

@@ -44,7 +44,7 @@ pub fn poincare(scenario: &Scenario, spec: &PoincareSpec, progress: Progress) ->
     let ((crossings, failure), panel) = of_plan(&plan, spec, progress)?;
     let state = plan.layout.shape().state();
     let table = Trajectory {
-        columns: columns(&plan)[..=state].to_vec(),
+        columns: columns(&plan).first(1 + state),
         numbers: crossings
             .iter()
             .flat_map(|c| std::iter::once(c.t).chain(c.state[..state].to_vec()))
@@ -114,7 +114,7 @@ fn cut(plan: &Plan, text: &str) -> Result<Cut, Error> {
         return input("a section is written as \"theta = 0\" or \"theta = 0 mod 2*pi\"").map_err(at);
     };
     let column = resolve::column(plan, name.trim()).map_err(at)?;
-    let unit = plan.columns()[column].unit.clone();
+    let unit = plan.column(column).unit;
     let (value, again) = rest.split_once("mod").map_or((rest, None), |(value, p)| (value, Some(p.trim())));
     let number = |text: &str| value::parse(text.trim()).and_then(|v| v.in_unit(&unit)).map_err(at);
     let value = number(value)?;

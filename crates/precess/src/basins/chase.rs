@@ -1,5 +1,6 @@
-//! All starts followed in lanes until each has a verdict, or its time is over.
+//! All starts followed in lanes until each has a verdict, or its time is over; then those with one again, with companions.
 
+use super::companions::{agree, companions};
 use super::gate::Gate;
 use super::judge::{Judge, Verdict};
 use crate::plan::Plan;
@@ -13,8 +14,10 @@ use std::ops::{ControlFlow, Range};
 /// How a motion ended.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Fate {
-    /// With a verdict, and when.
-    Judged(Verdict, f64),
+    /// With a verdict, when, and where it was.
+    Judged(Verdict, f64, Vec<f64>),
+    /// With one that no companion confirmed.
+    Doubtful,
     /// Without: where it was at the end.
     Open(Vec<f64>),
     /// Not in numbers, and when.
@@ -34,11 +37,12 @@ pub(super) fn chase(
 }
 
 struct Chase<'a, S> {
-    judge: &'a Judge<'a>,
+    judge: &'a Judge,
     plan: &'a Plan,
     starts: &'a [f64],
     samples: Samples,
     pace: Pace,
+    companions: Vec<Pace>,
     field: Box<dyn Field<S>>,
     runner: Runner<'a>,
 }
@@ -48,14 +52,16 @@ where
     dyn AnySystem: Bind<S>,
     dyn AnyMethod: Steps<S>,
 {
-    fn new(judge: &'a Judge<'a>, starts: &'a [f64]) -> Self {
-        let plan = judge.ground.plan;
+    fn new(judge: &'a Judge, starts: &'a [f64]) -> Self {
+        let plan = &judge.ground.plan;
+        let pace = pace(plan);
         Self {
             judge,
             plan,
             starts,
             samples: Samples::new(plan.until, plan.every),
-            pace: pace(plan),
+            companions: if judge.once { vec![] } else { companions(&pace) },
+            pace,
             field: Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout),
             runner: Runner::new(plan),
         }
@@ -69,7 +75,7 @@ where
     fn all(&self, threads: usize, progress: &mut dyn FnMut(usize) -> ControlFlow<()>) -> Vec<Fate> {
         let members = self.starts.len() / self.plan.start.len();
         let chunk = match self.pace {
-            Pace::Fixed(_) => Block::<S>::capacity(&self.pace),
+            Pace::Fixed(_) => Block::<S>::capacity(&self.pace, self.field.shape()),
             Pace::Adaptive(_) => chunk(members, S::LANES, threads),
         };
         let range = |k: usize| k * chunk..if (k + 1) * chunk < members { (k + 1) * chunk } else { members };
@@ -85,13 +91,41 @@ where
 
     fn chunk(&self, members: Range<usize>) -> Vec<Fate> {
         let first = members.start;
-        let (fates, gate, rest) =
-            (vec![None; members.len()], Gate::new(self.judge), vec![[0, 1]; members.len()]);
-        let mut pursuit = Pursuit { chase: self, members: members.clone(), first, fates, gate, rest };
+        let every: Vec<usize> = members.clone().collect();
+        let followed = self.pursue(&self.pace, &every, &members);
+        let mut fates: Vec<Fate> = followed
+            .into_iter()
+            .zip(members.clone())
+            .map(|(fate, k)| fate.unwrap_or_else(|| self.alone(k)))
+            .collect();
+        if self.companions.is_empty() {
+            return fates;
+        }
+        let mut doubtful = every;
+        doubtful.retain(|k| matches!(fates[k - first], Fate::Judged(..)));
+        for pace in &self.companions {
+            let others = self.pursue(pace, &doubtful, &members);
+            let confirmed = |k: &usize| {
+                others[k - first]
+                    .as_ref()
+                    .is_some_and(|other| agree(&self.judge.ground, &fates[k - first], other))
+            };
+            doubtful.retain(|k| !confirmed(k));
+        }
+        for k in doubtful {
+            fates[k - first] = Fate::Doubtful;
+        }
+        fates
+    }
+
+    /// The fates of some members of a chunk, by place in it, at a pace; none for who did not come through in a lane.
+    fn pursue(&self, pace: &Pace, members: &[usize], chunk: &Range<usize>) -> Vec<Option<Fate>> {
+        let (fates, gate, rest) = (vec![None; chunk.len()], Gate::new(self.judge), vec![[0, 1]; chunk.len()]);
+        let mut pursuit =
+            Pursuit { chase: self, members: members.iter(), first: chunk.start, fates, gate, rest };
         let (method, options, samples) = (self.plan.method, self.plan.options.clone(), self.samples);
-        Block { field: &*self.field, method, options, samples, pace: &self.pace }.feed(&mut pursuit);
-        let fates = pursuit.fates.into_iter().zip(members);
-        fates.map(|(fate, member)| fate.unwrap_or_else(|| self.alone(member))).collect()
+        Block { field: &*self.field, method, options, samples, pace }.feed(&mut pursuit);
+        pursuit.fates
     }
 
     /// A motion that did not come through in its lane.
@@ -106,7 +140,10 @@ where
         match report.failure {
             Some(Failure::Interrupted { .. }) => Fate::Interrupted,
             Some(failure) => Fate::Diverged(failure.time()),
-            None => self.judge.look(&end).map_or(Fate::Open(end), |verdict| Fate::Judged(verdict, reached)),
+            None => match self.judge.look(&end) {
+                Some(verdict) => Fate::Judged(verdict, reached, end),
+                None => Fate::Open(end),
+            },
         }
     }
 }
@@ -115,7 +152,7 @@ where
 struct Pursuit<'c, 'a, S> {
     chase: &'c Chase<'a, S>,
     /// Those that have not started yet.
-    members: Range<usize>,
+    members: std::slice::Iter<'c, usize>,
     first: usize,
     fates: Vec<Option<Fate>>,
     gate: Gate<S>,
@@ -134,7 +171,7 @@ where
     dyn AnyMethod: Steps<S>,
 {
     fn next(&mut self, start: &mut [f64]) -> Option<usize> {
-        let member = self.members.next()?;
+        let member = *self.members.next()?;
         start.copy_from_slice(self.chase.start(member));
         Some(member)
     }
@@ -145,7 +182,7 @@ where
             // It goes on alone, which tells when and why it ended.
             return false;
         }
-        let mut fate = judge.look(y).map(|verdict| Fate::Judged(verdict, samples.time(sample)));
+        let mut fate = judge.look(y).map(|verdict| Fate::Judged(verdict, samples.time(sample), y.to_vec()));
         if fate.is_none() && sample == samples.last() {
             fate = Some(Fate::Open(y.to_vec()));
         }
@@ -172,7 +209,7 @@ where
                 judge.look(&y)
             };
             if let Some(verdict) = verdict {
-                self.fates[place] = Some(Fate::Judged(verdict, stepped.t.lanes()[lane]));
+                self.fates[place] = Some(Fate::Judged(verdict, stepped.t.lanes()[lane], y));
                 over |= 1 << lane;
             } else {
                 let longer = self.rest[place][1];

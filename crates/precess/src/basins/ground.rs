@@ -24,8 +24,8 @@ pub(super) enum Energy {
     Unknown,
 }
 
-pub(super) struct Ground<'a> {
-    pub plan: &'a Plan,
+pub(super) struct Ground {
+    pub plan: Plan,
     pub field: Box<dyn Field<f64>>,
     /// The place of the energy among the observables.
     pub energy: Option<usize>,
@@ -42,9 +42,9 @@ pub(super) struct Ground<'a> {
     pub period: Option<f64>,
 }
 
-impl<'a> Ground<'a> {
+impl Ground {
     /// From a plan and the full states that will start.
-    pub fn new(plan: &'a Plan, starts: &[f64]) -> Result<Self, Error> {
+    pub fn new(plan: Plan, starts: &[f64]) -> Result<Self, Error> {
         let shape = plan.layout.shape();
         let id = plan.card.id;
         if plan.structure.hybrid {
@@ -53,10 +53,11 @@ impl<'a> Ground<'a> {
         let field = Bind::<f64>::bind(plan.system, plan.values.clone(), &plan.layout);
         let energy = plan.layout.observables.iter().position(|o| o.quantity.name == "energy");
         let (size, coordinates) = (shape.state(), shape.coordinates);
+        let (moves, time_enters) = (shape.is_second_order(), plan.structure.time_enters);
         let mut ground = Self {
             plan,
             field,
-            energy: energy.filter(|_| shape.is_second_order() && !plan.structure.time_enters),
+            energy: energy.filter(|_| moves && !time_enters),
             size,
             coordinates,
             turning: vec![false; coordinates],
@@ -66,7 +67,7 @@ impl<'a> Ground<'a> {
         };
         ground.set_units();
         ground.turning = (0..coordinates).map(|i| ground.turns(i)).collect();
-        if plan.structure.time_enters {
+        if time_enters {
             ground.period = ground.find_period();
             if ground.period.is_none() {
                 return input(format!(
@@ -197,7 +198,7 @@ impl<'a> Ground<'a> {
         watches: &[Watched],
         record: &mut dyn FnMut(f64, &[f64]),
     ) -> Option<Vec<(f64, Vec<f64>)>> {
-        let skip = match pace(self.plan) {
+        let skip = match pace(&self.plan) {
             Pace::Adaptive(tolerance) => tolerance.skip,
             Pace::Fixed(_) => vec![],
         };

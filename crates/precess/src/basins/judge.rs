@@ -46,8 +46,8 @@ pub(super) enum Verdict {
     Escaped,
 }
 
-pub(super) struct Judge<'a> {
-    pub ground: Ground<'a>,
+pub(super) struct Judge {
+    pub ground: Ground,
     pub energy: Energy,
     pub attractors: Vec<Attractor>,
     pub wells: Vec<Well>,
@@ -57,11 +57,13 @@ pub(super) struct Judge<'a> {
     pub far: f64,
     /// Nothing can settle above this energy.
     pub highest_pass: f64,
+    /// Each start is followed once, without companions.
+    pub once: bool,
 }
 
-impl<'a> Judge<'a> {
+impl Judge {
     /// Finds the wells, where the energy sinks.
-    pub fn new(ground: Ground<'a>) -> Result<Self, Error> {
+    pub fn new(ground: Ground, once: bool) -> Result<Self, Error> {
         let energy = ground.energy_sinks();
         if energy == Energy::Stays {
             let id = ground.plan.card.id;
@@ -83,6 +85,7 @@ impl<'a> Judge<'a> {
             minima: vec![],
             far,
             highest_pass: f64::NEG_INFINITY,
+            once,
         };
         if energy == Energy::Sinks && judge.ground.coordinates <= 3 {
             judge.minima = wells::minima(&judge.ground);

@@ -2,10 +2,13 @@
 //!
 //! Where the energy sinks, a motion has been decided as soon as its energy is below the lowest pass of the well that it is
 //! in (`wells.rs`). Elsewhere it has when it enters a neighbourhood of a fixed point or a cycle that nothing leaves
-//! (`traps.rs`). What is neither by the end is undecided. Attractors are found: minima by descending, fixed points and
-//! cycles by Newton's method from where motions end.
+//! (`traps.rs`). What is neither by the end is undecided, and so is what errors of integration may have decided
+//! (`companions.rs`). Attractors are found: minima by descending, fixed points and cycles by Newton's method from where
+//! motions end.
 
 mod chase;
+mod companions;
+mod court;
 mod gate;
 mod ground;
 mod judge;
@@ -16,24 +19,23 @@ mod statistics;
 mod traps;
 mod wells;
 
-use crate::error::{Error, input};
-use crate::grid::{Axis, grid};
-use crate::plan::{Plan, Step};
+use crate::error::Error;
+use crate::grid::Axis;
+use crate::plan::Plan;
 use crate::scenario::Scenario;
-use crate::value::Value;
 use crate::workers::Workers;
-use chase::{Fate, chase};
-use ground::{Ground, turned};
+use chase::Fate;
+use ground::turned;
 use judge::{Hold, Judge, Verdict};
-use precess_integrate::Kind as Steps;
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+pub use court::Court;
 pub use judge::Kind;
 pub use parts::{part, whole};
 pub use statistics::{Estimate, entropy, fraction, uncertainty};
 
-/// Neither settled nor gone at the end.
+/// Neither settled nor gone at the end, or by errors of integration.
 pub const UNDECIDED: i32 = -1;
 /// A coordinate has gone a thousand times further than the starts reach.
 pub const ESCAPED: i32 = -2;
@@ -47,6 +49,8 @@ pub struct BasinsSpec {
     pub axes: Vec<Axis>,
     /// Attractors that differ by whole turns are one.
     pub wrap: bool,
+    /// Each start is followed once: faster, but nobody tells the labels that the tolerance cannot tell.
+    pub once: bool,
 }
 
 /// An attractor.
@@ -79,10 +83,6 @@ pub struct Basins {
     pub interrupted: bool,
 }
 
-/// Lengths of the card's run that a motion has to settle.
-const PATIENCE: f64 = 5.0;
-/// Starts that are followed to their ends before the others, to find attractors.
-const SCOUTS: usize = 200;
 /// Undecided ends from which attractors are looked for.
 const MOST_SEARCHES: usize = 60;
 /// More attractors than this are no attractors.
@@ -101,101 +101,43 @@ pub fn basins(
     workers: Workers,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
-    court(scenario, spec, workers, progress, |judge, starts, mut interrupted, progress| {
-        let fates = followed(&judge, starts, workers, interrupted, progress);
-        interrupted |= fates.contains(&Fate::Interrupted);
-        Ok(concluded(judge, fates, spec, interrupted))
-    })
-}
-
-/// Asks a judge, who depends on scenario and grid alone: with all starts, and whether the scouts were interrupted.
-fn court<T>(
-    scenario: &Scenario,
-    spec: &BasinsSpec,
-    workers: Workers,
-    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ask: impl FnOnce(Judge, &[f64], bool, &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<T, Error>,
-) -> Result<T, Error> {
-    let mut plan = patient(scenario)?;
-    if spec.axes.is_empty() {
-        return input("basins need a grid of starts, such as --grid x=-2:2:200 --grid y=-2:2:200");
-    }
-    if plan.until <= 0.0 {
-        return input(format!("the end must be above zero here, not {}", plan.until));
-    }
-    let starts = grid(&plan, &spec.axes)?;
-    let original = plan.clone();
-    let ground = Ground::new(&original, &starts)?;
-    match ground.period {
-        // Motions are judged at whole periods.
-        Some(period) => {
-            plan.every = period;
-            plan.until = (plan.until / period).ceil() * period;
-        }
-        None if matches!(plan.step, Step::Adaptive { .. }) => plan.every = plan.until,
-        None => {}
-    }
-    let mut judge = Judge::new(Ground { plan: &plan, ..ground })?;
-    let mut interrupted = false;
-    if judge.wells.is_empty() {
-        let scouts = scouts(&starts, plan.start.len());
-        let ends = chase(&judge, &scouts, workers, &mut |_| progress(0.0));
-        interrupted = ends.contains(&Fate::Interrupted);
-        settle(&mut judge, ends);
-    }
-    ask(judge, &starts, interrupted, progress)
-}
-
-/// The fates of some starts: nobody follows them where the work has been interrupted before.
-fn followed(
-    judge: &Judge,
-    starts: &[f64],
-    workers: Workers,
-    interrupted: bool,
-    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Vec<Fate> {
-    let members = starts.len() / judge.ground.plan.start.len();
-    if interrupted {
-        return vec![Fate::Interrupted; members];
-    }
-    chase(judge, starts, workers, &mut |done| progress(done as f64 / members as f64))
+    let court = Court::new(scenario, spec, workers, progress)?;
+    let fates = court.fates(&court.starts, workers, progress);
+    Ok(concluded(court, fates, spec, workers, progress))
 }
 
 /// The basins from the fates of all starts.
-fn concluded(mut judge: Judge, fates: Vec<Fate>, spec: &BasinsSpec, interrupted: bool) -> Basins {
-    let fates = settle(&mut judge, fates);
+fn concluded(
+    mut court: Court,
+    fates: Vec<Fate>,
+    spec: &BasinsSpec,
+    workers: Workers,
+    progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Basins {
+    court.interrupted |= fates.contains(&Fate::Interrupted);
+    let mut late: Vec<usize> = (0..fates.len()).filter(|&k| matches!(fates[k], Fate::Open(_))).collect();
+    let mut fates = settle(&mut court.judge, fates);
+    // Where the attractor was found only now, it is known now when a motion has been decided, and whether companions agree.
+    late.retain(|&k| matches!(fates[k], Fate::Judged(..)));
+    let full = court.judge.ground.plan.start.len();
+    let starts: Vec<f64> = late.iter().flat_map(|&k| &court.starts[k * full..][..full]).copied().collect();
+    let again = court.fates(&starts, workers, progress);
+    let interrupted = court.interrupted || again.contains(&Fate::Interrupted);
+    for (k, fate) in late.into_iter().zip(again) {
+        if !matches!(fate, Fate::Open(_)) {
+            fates[k] = fate;
+        }
+    }
+    let judge = court.judge;
     let proof = if judge.wells.is_empty() {
         "inside a neighbourhood that nothing leaves"
     } else {
         "the energy has sunk below the pass"
     };
     let plan = judge.ground.plan.clone();
-    let Told { labels, times, attractors } = tell(&judge, &fates, spec.wrap, plan.until);
+    let Told { labels, times, attractors } =
+        tell(&judge, &fates, if spec.wrap { Listed::Met } else { Listed::Images });
     Basins { plan, axes: spec.axes.clone(), labels, times, attractors, proof, interrupted }
-}
-
-/// The plan, with time to settle and a tolerance that chaos does not spoil.
-fn patient(scenario: &Scenario) -> Result<Plan, Error> {
-    let plan = Plan::new(scenario)?;
-    let mut patient = scenario.clone();
-    let given = |name: &str| scenario.run.iter().any(|(n, _)| n == name);
-    if !given("until") {
-        patient.run.push(("until".into(), Value::number(PATIENCE * plan.card.defaults.until)));
-    }
-    for name in ["rtol", "atol"] {
-        if plan.method.card().kind == Steps::Adaptive && !given(name) {
-            patient.run.push((name.into(), Value::number(1e-12)));
-        }
-    }
-    Plan::new(&patient)
-}
-
-/// Starts from all over the grid, one in so many.
-fn scouts(starts: &[f64], full: usize) -> Vec<f64> {
-    let members = starts.len() / full;
-    // A stride that has nothing to do with the columns.
-    let stride = members.div_ceil(SCOUTS) | 1;
-    starts.chunks(full).step_by(stride).flatten().copied().collect()
 }
 
 /// Looks for attractors from the ends of those that nothing holds yet, and judges these ends again.
@@ -205,7 +147,7 @@ fn settle(judge: &mut Judge, mut fates: Vec<Fate>) -> Vec<Fate> {
     for k in 0..fates.len() {
         let Fate::Open(end) = &fates[k] else { continue };
         if let Some(verdict) = judge.look_round(end) {
-            fates[k] = Fate::Judged(verdict, until);
+            fates[k] = Fate::Judged(verdict, until, end.clone());
             continue;
         }
         if searches == MOST_SEARCHES || judge.attractors.len() == MOST_ATTRACTORS {
@@ -216,7 +158,7 @@ fn settle(judge: &mut Judge, mut fates: Vec<Fate>) -> Vec<Fate> {
         if judge.discover(&end, until) {
             searches = 0;
             if let Some(verdict) = judge.look(&end) {
-                fates[k] = Fate::Judged(verdict, until);
+                fates[k] = Fate::Judged(verdict, until, end);
             }
         }
     }
@@ -229,20 +171,33 @@ struct Told {
     attractors: Vec<Attractor>,
 }
 
+/// What is an attractor of its own.
+#[derive(Clone, Copy, PartialEq)]
+enum Listed {
+    /// Each image of it, whole turns away, that somebody ended at.
+    Images,
+    /// What somebody ended at, wherever its images are.
+    Met,
+    /// What is known, whether or not somebody ends there.
+    Known,
+}
+
 /// Labels in the order of the attractors' states, from the first number of a state on.
-fn tell(judge: &Judge, fates: &[Fate], wrap: bool, until: f64) -> Told {
+fn tell(judge: &Judge, fates: &[Fate], listed: Listed) -> Told {
     let ground = &judge.ground;
+    let until = ground.plan.until;
     let none = vec![0; ground.coordinates];
-    let image = |k: usize, turns: &Vec<i32>| (k, if wrap { none.clone() } else { turns.clone() });
+    let image =
+        |k: usize, turns: &Vec<i32>| (k, if listed == Listed::Images { turns.clone() } else { none.clone() });
     let mut met: BTreeMap<(usize, Vec<i32>), i32> = BTreeMap::new();
     for (k, attractor) in judge.attractors.iter().enumerate() {
         // Wells are there whether or not somebody ends in them.
-        if matches!(attractor.hold, Hold::Well(_)) {
+        if matches!(attractor.hold, Hold::Well(_)) || listed == Listed::Known {
             met.insert((k, none.clone()), 0);
         }
     }
     for fate in fates {
-        if let Fate::Judged(Verdict::Settled(k, turns), _) = fate {
+        if let Fate::Judged(Verdict::Settled(k, turns), ..) = fate {
             met.insert(image(*k, turns), 0);
         }
     }
@@ -261,9 +216,9 @@ fn tell(judge: &Judge, fates: &[Fate], wrap: bool, until: f64) -> Told {
         },
     });
     let label = |fate: &Fate| match fate {
-        Fate::Judged(Verdict::Settled(k, turns), t) => (met[&image(*k, turns)], *t),
-        Fate::Judged(Verdict::Escaped, t) => (ESCAPED, *t),
-        Fate::Open(_) => (UNDECIDED, until),
+        Fate::Judged(Verdict::Settled(k, turns), t, _) => (met[&image(*k, turns)], *t),
+        Fate::Judged(Verdict::Escaped, t, _) => (ESCAPED, *t),
+        Fate::Open(_) | Fate::Doubtful => (UNDECIDED, until),
         Fate::Diverged(t) => (DIVERGED, *t),
         Fate::Interrupted => (UNDECIDED, 0.0),
     };

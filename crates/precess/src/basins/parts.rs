@@ -2,7 +2,7 @@
 
 use super::chase::Fate;
 use super::judge::{Judge, Verdict};
-use super::{Basins, BasinsSpec, concluded, court, followed};
+use super::{Basins, BasinsSpec, Court, concluded};
 use crate::error::{Error, input};
 use crate::scenario::Scenario;
 use crate::workers::Workers;
@@ -13,7 +13,8 @@ const SETTLED: f64 = 0.0;
 const ESCAPED: f64 = 1.0;
 const OPEN: f64 = 2.0;
 const DIVERGED: f64 = 3.0;
-const INTERRUPTED: f64 = 4.0;
+const DOUBTFUL: f64 = 4.0;
+const INTERRUPTED: f64 = 5.0;
 
 /// The fates of the starts in a range as numbers, a row each, and the length of a row: for [`whole`], and no one else.
 ///
@@ -26,15 +27,13 @@ pub fn part(
     workers: Workers,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<(Vec<f64>, usize), Error> {
-    court(scenario, spec, workers, progress, |judge, starts, interrupted, progress| {
-        let full = judge.ground.plan.start.len();
-        let Some(mine) = starts.get(members.start * full..members.end * full) else {
-            return input(format!("there are {} starts, not {}", starts.len() / full, members.end));
-        };
-        let fates = followed(&judge, mine, workers, interrupted, progress);
-        let rows = fates.iter().flat_map(|fate| row(fate, &judge)).collect();
-        Ok((rows, width(&judge)))
-    })
+    let court = Court::new(scenario, spec, workers, progress)?;
+    let full = court.plan().start.len();
+    let Some(mine) = court.starts.get(members.start * full..members.end * full) else {
+        return input(format!("there are {} starts, not {}", court.starts.len() / full, members.end));
+    };
+    let fates = court.fates(mine, workers, progress);
+    Ok((fates.iter().flat_map(|fate| row(fate, &court.judge)).collect(), width(&court.judge)))
 }
 
 /// The basins from the rows of all parts, in the order of the starts: the bits of [`super::basins`].
@@ -48,19 +47,13 @@ pub fn whole(
     workers: Workers,
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
-    court(scenario, spec, workers, progress, |judge, starts, interrupted, _| {
-        let members = starts.len() / judge.ground.plan.start.len();
-        if rows.len() != members * width(&judge) {
-            return input(format!(
-                "{members} starts have {} numbers, not {}",
-                members * width(&judge),
-                rows.len()
-            ));
-        }
-        let fates: Vec<Fate> = rows.chunks(width(&judge)).map(|row| fate(row, &judge)).collect();
-        let interrupted = interrupted || fates.contains(&Fate::Interrupted);
-        Ok(concluded(judge, fates, spec, interrupted))
-    })
+    let court = Court::new(scenario, spec, workers, progress)?;
+    let (members, width) = (court.starts.len() / court.plan().start.len(), width(&court.judge));
+    if rows.len() != members * width {
+        return input(format!("{members} starts have {} numbers, not {}", members * width, rows.len()));
+    }
+    let fates: Vec<Fate> = rows.chunks(width).map(|row| fate(row, &court.judge)).collect();
+    Ok(concluded(court, fates, spec, workers, progress))
 }
 
 /// What it says, a time, an attractor, its turns, a state.
@@ -72,16 +65,20 @@ fn row(fate: &Fate, judge: &Judge) -> Vec<f64> {
     let mut row = vec![0.0; width(judge)];
     let state = 3 + judge.ground.coordinates;
     match fate {
-        Fate::Judged(Verdict::Settled(attractor, turns), t) => {
-            row[..3].copy_from_slice(&[SETTLED, *t, *attractor as f64]);
-            row[3..].iter_mut().zip(turns).for_each(|(place, turn)| *place = f64::from(*turn));
+        Fate::Judged(verdict, t, end) => {
+            row[..2].copy_from_slice(&[ESCAPED, *t]);
+            if let Verdict::Settled(attractor, turns) = verdict {
+                (row[0], row[2]) = (SETTLED, *attractor as f64);
+                row[3..].iter_mut().zip(turns).for_each(|(place, turn)| *place = f64::from(*turn));
+            }
+            row[state..].copy_from_slice(end);
         }
-        Fate::Judged(Verdict::Escaped, t) => row[..2].copy_from_slice(&[ESCAPED, *t]),
         Fate::Open(end) => {
             row[0] = OPEN;
             row[state..].copy_from_slice(end);
         }
         Fate::Diverged(t) => row[..2].copy_from_slice(&[DIVERGED, *t]),
+        Fate::Doubtful => row[0] = DOUBTFUL,
         Fate::Interrupted => row[0] = INTERRUPTED,
     }
     row
@@ -89,15 +86,17 @@ fn row(fate: &Fate, judge: &Judge) -> Vec<f64> {
 
 fn fate(row: &[f64], judge: &Judge) -> Fate {
     let state = 3 + judge.ground.coordinates;
+    let end = row[state..].to_vec();
     match row[0] {
         // Whatever stands here, no attractor is asked for that there is not.
         SETTLED if row[2] >= 0.0 && row[2] < judge.attractors.len() as f64 => {
             let turns = row[3..state].iter().map(|turn| *turn as i32).collect();
-            Fate::Judged(Verdict::Settled(row[2] as usize, turns), row[1])
+            Fate::Judged(Verdict::Settled(row[2] as usize, turns), row[1], end)
         }
-        ESCAPED => Fate::Judged(Verdict::Escaped, row[1]),
-        OPEN => Fate::Open(row[state..].to_vec()),
+        ESCAPED => Fate::Judged(Verdict::Escaped, row[1], end),
+        OPEN => Fate::Open(end),
         DIVERGED => Fate::Diverged(row[1]),
+        DOUBTFUL => Fate::Doubtful,
         _ => Fate::Interrupted,
     }
 }

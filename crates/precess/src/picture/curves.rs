@@ -7,6 +7,7 @@ use crate::panel::starred;
 use crate::plan::PanelPlan;
 use crate::value::shortest;
 use precess_system::Quantity;
+use std::collections::HashMap;
 
 /// Curves of the chosen trajectories.
 pub(crate) fn curves(panel: &PanelPlan, shown: &[Shown]) -> Panel {
@@ -120,9 +121,9 @@ pub(super) fn snapshot(panel: &PanelPlan, shown: &[Shown]) -> Panel {
 /// An empty panel with its labels and ranges.
 fn framed(panel: &PanelPlan, shown: &[Shown], pairs: &[(String, String)]) -> Panel {
     let columns = shown.first().map_or(vec![], |run| run.plan.columns());
-    let of = |name: &String| columns.iter().find(|q| q.name == *name);
-    let xs: Vec<&Quantity> = pairs.iter().filter_map(|(x, _)| of(x)).collect();
-    let ys: Vec<&Quantity> = pairs.iter().filter_map(|(_, y)| of(y)).collect();
+    let known: HashMap<&str, &Quantity> = columns.iter().map(|q| (q.name.as_str(), q)).collect();
+    let xs: Vec<&Quantity> = pairs.iter().filter_map(|(x, _)| known.get(&**x).copied()).collect();
+    let ys: Vec<&Quantity> = pairs.iter().filter_map(|(_, y)| known.get(&**y).copied()).collect();
     Panel {
         title: panel.spec.title.clone(),
         x_label: shared(&xs),

@@ -7,6 +7,7 @@ use crate::plan::Plan;
 use crate::run::run;
 use precess_system::Trajectory;
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 /// A trajectory with what it is called.
@@ -15,6 +16,8 @@ pub(crate) struct Shown<'a> {
     pub plan: &'a Plan,
     /// Its samples, in the order of time.
     pub trajectory: Cow<'a, Trajectory>,
+    /// Where its columns stand, by their names. A map, for there may be a million; it is asked, not walked.
+    columns: HashMap<String, usize>,
     /// Its family; `run` is the run itself.
     pub family: &'a str,
     /// Its name in legends.
@@ -30,7 +33,7 @@ impl Shown<'_> {
     pub fn column(&self, name: &str) -> Option<usize> {
         let renamed = self.names.iter().find(|(theirs, _)| theirs == name);
         let own = renamed.map_or(name, |(_, own)| own.as_str());
-        self.trajectory.columns.iter().position(|c| c.name == own)
+        self.columns.get(own).copied()
     }
 
     /// The sample nearest to a time.
@@ -44,6 +47,7 @@ impl Shown<'_> {
 pub(super) fn all<'a>(plan: &'a Plan, trajectory: &'a Trajectory, progress: Watcher) -> Vec<Shown<'a>> {
     let mut shown = vec![Shown {
         plan,
+        columns: places(trajectory),
         trajectory: Cow::Borrowed(trajectory),
         family: RUN,
         label: &plan.label,
@@ -60,6 +64,7 @@ pub(super) fn all<'a>(plan: &'a Plan, trajectory: &'a Trajectory, progress: Watc
         }
         shown.push(Shown {
             plan: &member.plan,
+            columns: places(&trajectory),
             trajectory: Cow::Owned(trajectory),
             family: &member.family,
             label: &member.label,
@@ -71,6 +76,10 @@ pub(super) fn all<'a>(plan: &'a Plan, trajectory: &'a Trajectory, progress: Watc
         }
     }
     shown
+}
+
+fn places(trajectory: &Trajectory) -> HashMap<String, usize> {
+    trajectory.columns.iter().enumerate().map(|(k, column)| (column.name, k)).collect()
 }
 
 /// Two runs from one start, one backwards, as one trajectory in the order of time.

@@ -299,7 +299,7 @@ fn extremes<'a>(
     rows: &mut Vec<f64>,
 ) {
     let mut observed = vec![0.0; plan.layout.observables.len()];
-    let mut ends = vec![[f64::NAN; 2]; plan.columns().len() - 1];
+    let mut ends = vec![[f64::NAN; 2]; plan.width() - 1];
     for (t, state) in samples.filter(|(_, state)| state.iter().all(|x| x.is_finite())) {
         // Modes rest at their start where there are any: observables of a hybrid system may see them.
         let mut full = plan.start.clone();

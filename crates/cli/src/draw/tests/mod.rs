@@ -231,10 +231,8 @@ fn a_range_cuts_the_curve_at_its_border() {
 #[test]
 fn the_cells_of_a_map_fill_the_box_without_a_gap() {
     let classes: Vec<i32> = (0..30).map(|k| k % 3 - 1).collect();
-    let names = vec!["left".to_owned(), "right".to_owned()];
-    let map = Map { x: (0.0, 9.0), y: (0.0, 2.0), columns: 10, classes, names };
+    let map = Map { x: (0.0, 9.0), y: (0.0, 2.0), columns: 10, classes, names: vec![] };
     let drawn = svg(&figure(vec![Panel { map: Some(map), ..panel(vec![]) }]));
-    assert!(drawn.contains(">left</text>") && drawn.contains(">right</text>"));
     let numbers =
         |d: &str| d.split(['M', 'h', 'v', 'z', ' ']).filter_map(|n| n.parse().ok()).collect::<Vec<f64>>();
     let area: f64 = paths(&drawn)
@@ -244,6 +242,35 @@ fn the_cells_of_a_map_fill_the_box_without_a_gap() {
     // Sides in hundredths of a pixel: thirty cells are right to a part in a thousand.
     let (wide, high) = extent_of(&paths(&drawn).iter().flat_map(|d| numbers(d)).collect::<Vec<_>>());
     assert!((area / (wide * high) - 1.0).abs() < 1e-3, "{area} {wide} {high}");
+}
+
+#[test]
+fn the_classes_of_a_map_are_shown_with_their_patterns() {
+    let map = |names: &[&str]| Map {
+        x: (0.0, 9.0),
+        y: (0.0, 2.0),
+        columns: 10,
+        classes: vec![0; 30],
+        names: names.iter().map(|name| (*name).into()).collect(),
+    };
+    let drawn = |names: &[&str]| svg(&figure(vec![Panel { map: Some(map(names)), ..panel(vec![]) }]));
+    let named = drawn(&["left", "right"]);
+    assert!(named.contains(">left</text>") && named.contains(">right</text>"));
+    // The map has one plain colour; of the samples the first has it, too, and the second two shades.
+    assert_eq!((paths(&drawn(&[])).len(), paths(&named).len()), (1, 4));
+}
+
+#[test]
+fn the_texts_of_marks_do_not_lie_on_one_another() {
+    let marked = |places: &[(f64, f64)]| {
+        let mark = |&(x, y): &(f64, f64)| Mark { x, y, label: "a saddle".into(), ..Mark::default() };
+        svg(&figure(vec![Panel { marks: places.iter().map(mark).collect(), ..panel(vec![sine(50)]) }]))
+    };
+    let texts = |drawn: &str| drawn.matches(">a saddle</text>").count();
+    assert_eq!(texts(&marked(&[(1.0, 0.0), (3.0, 0.0)])), 2);
+    // About one place there is room for four; whoever comes then has a sign alone.
+    assert_eq!(texts(&marked(&[(3.0, 0.0); 4])), 4);
+    assert_eq!(texts(&marked(&[(3.0, 0.0); 9])), 4);
 }
 
 /// Width and height that cells (x, y, width, height, -width) cover.

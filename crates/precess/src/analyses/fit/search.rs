@@ -35,7 +35,7 @@ impl Search<'_> {
             Err(Error::Failed(why)) if !why.starts_with("interrupted") => return Ok(None),
             Err(other) => return Err(other),
         };
-        let width = plan.columns().len() - 1;
+        let width = plan.width() - 1;
         let mut model = Model { residuals: vec![], slopes: vec![vec![]; self.free.len()] };
         for ((column, (_, values)), weight) in self.columns.iter().zip(&self.data.columns).zip(weights) {
             let rows = found.values.chunks(width).zip(found.slopes.chunks(width * self.free.len()));
@@ -52,7 +52,7 @@ impl Search<'_> {
     /// The measured columns along the motion, and the scatter about them.
     pub fn scatter(&mut self) -> Result<(Vec<Vec<f64>>, Vec<f64>), Error> {
         let found = sensitivities(&self.plan, self.free, &self.data.times, self.progress)?;
-        let width = self.plan.columns().len() - 1;
+        let width = self.plan.width() - 1;
         let (mut model, mut scatter) = (vec![], vec![]);
         for (column, (_, values)) in self.columns.iter().zip(&self.data.columns) {
             let fitted: Vec<f64> = found.values.chunks(width).map(|row| row[column - 1]).collect();

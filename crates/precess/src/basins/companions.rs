@@ -1,0 +1,50 @@
+//! Whether a verdict could be another one by the errors of integration: a motion is followed again within other tolerances.
+//!
+//! Where a companion whose errors are far larger comes to the same end by the same way, the small errors of the motion itself
+//! cannot matter. Most motions are confirmed by a cheap, coarse companion; who is not has a finer one, the last finer than the
+//! motion. The verdict that none of them confirms is no proof: in the chaos before it the errors have grown too large.
+
+use super::chase::Fate;
+use super::ground::Ground;
+use super::judge::Verdict;
+use precess_integrate::{Pace, Tolerance};
+
+/// Tolerances of the companions, to that of the motion.
+const TOLERANCES: [f64; 2] = [1e3, 0.25];
+/// No companion is coarser.
+const COARSEST: f64 = 1e-3;
+/// Steps of the companions, to those of the motion.
+const STEPS: [f64; 2] = [2.0, 0.5];
+/// The distance in units within which two ends are the same.
+const NEAR: f64 = 0.03;
+/// The share of the time by which two verdicts of the same motion may differ: it is not looked at after every step.
+const LATER: f64 = 0.05;
+
+/// The paces of the companions, the cheapest first.
+pub(super) fn companions(pace: &Pace) -> Vec<Pace> {
+    match pace {
+        Pace::Fixed(dt) => STEPS.map(|factor| Pace::Fixed(factor * dt)).to_vec(),
+        Pace::Adaptive(own) => {
+            let scaled = TOLERANCES.map(|factor| {
+                let mut other = own.clone();
+                (other.rtol, other.atol) = (factor * own.rtol, factor * own.atol);
+                other
+            });
+            let fine = |other: &Tolerance| other.rtol <= COARSEST && other.atol <= COARSEST;
+            scaled.into_iter().filter(fine).map(Pace::Adaptive).collect()
+        }
+    }
+}
+
+/// Whether two fates are those of one motion: the same verdict, and who had it first comes to where the other had it.
+pub(super) fn agree(ground: &Ground, one: &Fate, other: &Fate) -> bool {
+    let (Fate::Judged(a, t, y), Fate::Judged(b, u, z)) = (one, other) else { return false };
+    let together = a == b && (u - t).abs() <= LATER * t.abs();
+    if !together || *a == Verdict::Escaped {
+        return together;
+    }
+    // From where the equations do not depend on time, or after whole periods.
+    let (from, to) = if t < u { (y, z) } else { (z, y) };
+    let reached = if t == u { Some(from.clone()) } else { ground.advance(from, (u - t).abs()) };
+    reached.is_some_and(|reached| ground.distance(&reached, to) < NEAR)
+}
