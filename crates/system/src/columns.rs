@@ -64,7 +64,7 @@ impl Columns {
     pub fn count_leading(&self, fits: impl Fn(ColumnKind) -> bool) -> usize {
         let (mut low, mut high) = (0, self.count);
         while low < high {
-            let middle = (low + high) / 2;
+            let middle = usize::midpoint(low, high);
             if fits(self.get(middle).kind) { low = middle + 1 } else { high = middle }
         }
         low

@@ -19,7 +19,7 @@ pub fn run(
     let scenario = scenario_toml(plan);
     json!({
         "rows": trajectory.len(),
-        "columns": trajectory.columns.iter().map(column).collect::<Vec<_>>(),
+        "columns": trajectory.columns.iter().map(|c| column(&c)).collect::<Vec<_>>(),
         "events": events,
         "event_texts": events.iter().map(|name| told(name, known)).collect::<Vec<_>>(),
         "drifts": drifts.iter().map(drift).collect::<Vec<_>>(),
@@ -64,11 +64,11 @@ pub fn basins(plan: &Plan, attractors: &[Attractor], rows: usize) -> Value {
 
 /// The report of what an analysis gives.
 pub fn answer(Answer { table, failure, .. }: &Answer) -> Value {
-    let columns: Vec<_> = table.columns.iter().map(column).collect();
+    let columns: Vec<_> = table.columns.iter().map(|c| column(&c)).collect();
     json!({ "rows": table.len(), "columns": columns, "failure": failure })
 }
 
-fn column(column: Column) -> Value {
+fn column(column: &Column) -> Value {
     let kind = match column.kind {
         ColumnKind::Time => "time",
         ColumnKind::State => "state",
