@@ -48,7 +48,7 @@ pub fn basins(request: &Request, watch: &mut dyn FnMut(f64) -> bool) -> Result<(
         format!("{starts} starts do not fit into the memory of this page")
     })?;
     let workers = Workers { isa: if request.plain { Isa::Scalar } else { Isa::best() }, threads: 1 };
-    let spec = BasinsSpec { axes, wrap: true, once: request.once };
+    let spec = BasinsSpec { axes, wrap: true, ..BasinsSpec::default() };
     let case = Case { scenario: request.scenario.into(), spec };
     // Taken while it works: whoever watches may call again.
     let known = COURT.take().filter(|(last, _)| *last == case).map(|(_, court)| court);
@@ -61,7 +61,7 @@ pub fn basins(request: &Request, watch: &mut dyn FnMut(f64) -> bool) -> Result<(
     };
     let starts = tile(court.plan(), &names, &sides, |_| Ok(()))?;
     let members = (starts.len() / court.plan().start.len()) as f64;
-    let labels = court.labels(&starts, workers, &mut |share| going(share * members));
+    let labels = court.labels(&starts, request.once, workers, &mut |share| going(share * members));
     let report = report::basins(court.plan(), &court.attractors(), labels.len()).to_string();
     let numbers = labels.into_iter().map(f64::from).collect();
     if !court.interrupted() {

@@ -38,6 +38,8 @@ export class Raster {
   readonly #grain: Uint8Array;
   /** How many are known. */
   known = 0;
+  /** How many have been taken, drafts included: the picture is another when they are more. */
+  taken = 0;
 
   constructor(points: number) {
     this.points = points;
@@ -45,25 +47,26 @@ export class Raster {
     this.#grain = new Uint8Array(points * points);
   }
 
-  /** Takes the values of a tile of the map's two axes. */
-  take(tile: readonly Axis[], values: ArrayLike<number>): void {
+  /** Takes the values of a tile of the map's two axes; a draft stands there until the values come. */
+  take(tile: readonly Axis[], values: ArrayLike<number>, draft = false): void {
     const stride = tile[0]?.part?.stride ?? 1;
     const coarsest = tile.every(({ part }) => (part?.first ?? 0) % stride === 0);
     const size = coarsest ? stride : stride / 2;
     for (let member = 0; member < values.length; member++) {
       const [i = 0, j = 0] = place(tile, member);
-      this.#fill(i, j, values[member] ?? NaN, size);
+      this.#fill(i, j, values[member] ?? NaN, size, draft);
     }
-    this.known += values.length;
+    this.taken += values.length;
+    if (!draft) this.known += values.length;
   }
 
   /** A point stands for those about it until they come themselves. */
-  #fill(i: number, j: number, value: number, size: number): void {
+  #fill(i: number, j: number, value: number, size: number, draft: boolean): void {
     const { points } = this;
     for (let b = j; b < Math.min(j + size, points); b++) {
       for (let a = i; a < Math.min(i + size, points); a++) {
         const at = b * points + a;
-        const own = a === i && b === j;
+        const own = !draft && a === i && b === j;
         const grain = this.#grain[at] ?? 0;
         if (!own && grain !== 0 && grain < size) continue;
         this.#values[at] = value;

@@ -30,11 +30,24 @@ export interface MapAsk {
   told: (tile: TileAnswer) => void;
 }
 
+/** All tiles, coarse first; where labels are wanted, a draft of the coarse ones before. */
+function* order({ axes, wanted }: MapAsk): Generator<Pick<TileAsk, "tile" | "draft">, void> {
+  const points = Math.min(...axes.map((axis) => axis.points));
+  const all = () => tiles(axes, 2 ** Math.floor(Math.log2(points / FIRST)), EDGE);
+  let drafted = wanted === "labels" ? 0 : COARSE;
+  for (const tile of all()) {
+    if (drafted >= COARSE) break;
+    drafted += pointsOf(tile);
+    yield { tile, draft: true };
+  }
+  for (const tile of all()) yield { tile, draft: false };
+}
+
 export class Mapper {
   readonly #module: WebAssembly.Module;
   readonly #workers: Worker[];
   readonly #idle: Worker[];
-  #queue: Iterator<Axis[]> | undefined;
+  #queue: Iterator<Pick<TileAsk, "tile" | "draft">> | undefined;
   #round = 0;
   #now: MapAsk | undefined;
   /** The newest wish, while the one before is too coarse to be recognized. */
@@ -75,8 +88,7 @@ export class Mapper {
     this.#round++;
     this.#now = ask;
     this.#wanting = COARSE;
-    const points = Math.min(...ask.axes.map((axis) => axis.points));
-    this.#queue = tiles(ask.axes, 2 ** Math.floor(Math.log2(points / FIRST)), EDGE);
+    this.#queue = order(ask);
     this.#spread();
   }
 
@@ -91,7 +103,7 @@ export class Mapper {
         module: this.#module,
         round: this.#round,
         text: this.#now.text,
-        tile: next.value,
+        ...next.value,
         wanted: this.#now.wanted,
       };
       this.#idle.pop()?.postMessage(ask);

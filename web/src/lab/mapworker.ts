@@ -9,12 +9,15 @@ export interface TileAsk {
   text: string;
   tile: Axis[];
   wanted: Wanted;
+  /** Whether labels that nothing confirms will do for now. */
+  draft: boolean;
 }
 /** Columns of the states at the end of the run, or labels that are proved. */
 export type Wanted = { columns: string[] } | "labels";
 export interface TileAnswer {
   round: number;
   tile: Axis[];
+  draft: boolean;
   /** A column each, of the states at the end; or the labels alone. */
   values: Float64Array[];
   /** What labels number. */
@@ -37,11 +40,11 @@ addEventListener("message", ({ data }: MessageEvent<TileAsk>) => {
   });
 });
 
-function compute(core: Core, { round, text, tile, wanted }: TileAsk): TileAnswer {
-  const answer = { round, tile, attractors: { names: [], states: [] }, refusal: "" };
+function compute(core: Core, { round, text, tile, wanted, draft }: TileAsk): TileAnswer {
+  const answer = { round, tile, draft, attractors: { names: [], states: [] }, refusal: "" };
   try {
     if (wanted === "labels") {
-      const part = core.basins(text, tile);
+      const part = core.basins(text, tile, { once: draft });
       const { columns, attractors } = part.report;
       const names = columns.map(({ name }) => name);
       const states = names.map((_, k) => Float64Array.from(attractors, (state) => state[k] ?? NaN));

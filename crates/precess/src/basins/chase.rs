@@ -26,14 +26,15 @@ pub(super) enum Fate {
     Interrupted,
 }
 
-/// Follows all starts.
+/// Follows all starts, with companions or each `once`.
 pub(super) fn chase(
     judge: &Judge,
     starts: &[f64],
+    once: bool,
     workers: Workers,
     progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Vec<Fate> {
-    with_lanes!(workers.isa, S => Chase::<S>::new(judge, starts).all(workers.threads, progress))
+    with_lanes!(workers.isa, S => Chase::<S>::new(judge, starts, once).all(workers.threads, progress))
 }
 
 struct Chase<'a, S> {
@@ -52,7 +53,7 @@ where
     dyn AnySystem: Bind<S>,
     dyn AnyMethod: Steps<S>,
 {
-    fn new(judge: &'a Judge, starts: &'a [f64]) -> Self {
+    fn new(judge: &'a Judge, starts: &'a [f64], once: bool) -> Self {
         let plan = &judge.ground.plan;
         let pace = pace(plan);
         Self {
@@ -60,7 +61,7 @@ where
             plan,
             starts,
             samples: Samples::new(plan.until, plan.every),
-            companions: if judge.once { vec![] } else { companions(&pace) },
+            companions: if once { vec![] } else { companions(&pace) },
             pace,
             field: Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout),
             runner: Runner::new(plan),

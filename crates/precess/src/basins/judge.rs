@@ -57,13 +57,11 @@ pub(super) struct Judge {
     pub far: f64,
     /// Nothing can settle above this energy.
     pub highest_pass: f64,
-    /// Each start is followed once, without companions.
-    pub once: bool,
 }
 
 impl Judge {
     /// Finds the wells, where the energy sinks.
-    pub fn new(ground: Ground, once: bool) -> Result<Self, Error> {
+    pub fn new(ground: Ground) -> Result<Self, Error> {
         let energy = ground.energy_sinks();
         if energy == Energy::Stays {
             let id = ground.plan.card.id;
@@ -85,7 +83,6 @@ impl Judge {
             minima: vec![],
             far,
             highest_pass: f64::NEG_INFINITY,
-            once,
         };
         if energy == Energy::Sinks && judge.ground.coordinates <= 3 {
             judge.minima = wells::minima(&judge.ground);

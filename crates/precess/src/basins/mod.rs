@@ -102,7 +102,7 @@ pub fn basins(
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
     let court = Court::new(scenario, spec, workers, progress)?;
-    let fates = court.fates(&court.starts, workers, progress);
+    let fates = court.fates(&court.starts, spec.once, workers, progress);
     Ok(concluded(court, fates, spec, workers, progress))
 }
 
@@ -121,7 +121,7 @@ fn concluded(
     late.retain(|&k| matches!(fates[k], Fate::Judged(..)));
     let full = court.judge.ground.plan.start.len();
     let starts: Vec<f64> = late.iter().flat_map(|&k| &court.starts[k * full..][..full]).copied().collect();
-    let again = court.fates(&starts, workers, progress);
+    let again = court.fates(&starts, spec.once, workers, progress);
     let interrupted = court.interrupted || again.contains(&Fate::Interrupted);
     for (k, fate) in late.into_iter().zip(again) {
         if !matches!(fate, Fate::Open(_)) {
