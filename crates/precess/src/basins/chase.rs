@@ -106,9 +106,7 @@ where
         for pace in &self.companions {
             let others = self.pursue(pace, &doubtful, &members);
             let confirmed = |k: &usize| {
-                others[k - first]
-                    .as_ref()
-                    .is_some_and(|other| agree(&self.judge.ground, &fates[k - first], other))
+                others[k - first].as_ref().is_some_and(|other| agree(self.judge, &fates[k - first], other))
             };
             doubtful.retain(|k| !confirmed(k));
         }

@@ -5,8 +5,7 @@
 //! motion. The verdict that none of them confirms is no proof: in the chaos before it the errors have grown too large.
 
 use super::chase::Fate;
-use super::ground::Ground;
-use super::judge::Verdict;
+use super::judge::{Judge, Verdict};
 use precess_integrate::{Pace, Tolerance};
 
 /// Tolerances of the companions, to that of the motion.
@@ -17,7 +16,7 @@ const COARSEST: f64 = 1e-3;
 const STEPS: [f64; 2] = [2.0, 0.5];
 /// The distance in units within which two ends are the same.
 const NEAR: f64 = 0.03;
-/// The share of the time by which two verdicts of the same motion may differ: it is not looked at after every step.
+/// The share of the time within which two motions have come to rest alike.
 const LATER: f64 = 0.05;
 
 /// The paces of the companions, the cheapest first.
@@ -36,15 +35,18 @@ pub(super) fn companions(pace: &Pace) -> Vec<Pace> {
     }
 }
 
-/// Whether two fates are those of one motion: the same verdict, and who had it first comes to where the other had it.
-pub(super) fn agree(ground: &Ground, one: &Fate, other: &Fate) -> bool {
+/// Whether two fates are those of one motion: the same verdict, and who had it first comes to where the other had it. In a
+/// well it still moves, and the place tells; who has come to an attractor's neighbourhood is near it in any case, and the time
+/// tells, too.
+pub(super) fn agree(judge: &Judge, one: &Fate, other: &Fate) -> bool {
     let (Fate::Judged(a, t, y), Fate::Judged(b, u, z)) = (one, other) else { return false };
-    let together = a == b && (u - t).abs() <= LATER * t.abs();
+    let later = (u - t).abs();
+    let together = a == b && (later <= LATER * t || judge.holds_in_well(a));
     if !together || *a == Verdict::Escaped {
         return together;
     }
     // From where the equations do not depend on time, or after whole periods.
     let (from, to) = if t < u { (y, z) } else { (z, y) };
-    let reached = if t == u { Some(from.clone()) } else { ground.advance(from, (u - t).abs()) };
-    reached.is_some_and(|reached| ground.distance(&reached, to) < NEAR)
+    let reached = if t == u { Some(from.clone()) } else { judge.ground.advance(from, later) };
+    reached.is_some_and(|reached| judge.ground.distance(&reached, to) < NEAR)
 }

@@ -197,6 +197,11 @@ impl Judge {
         self.look(y).or_else(|| meets.next())
     }
 
+    /// Whether a verdict is that of a well.
+    pub fn holds_in_well(&self, verdict: &Verdict) -> bool {
+        matches!(verdict, Verdict::Settled(k, _) if matches!(self.attractors[*k].hold, Hold::Well(_)))
+    }
+
     /// A cycle is only looked at from near by: elsewhere its plane is another place.
     fn is_near(&self, trap: &Trap, y: &[f64]) -> bool {
         if !matches!(trap.meeting, Meeting::Section(..)) {
