@@ -131,7 +131,11 @@ impl Swarm for Asteroids {
             self.rings[self.before.partition_point(|first| *first <= number) - 1];
         let (sin, cos) = precess_scalar::Scalar::sin_cos(TURN * number / places);
         let [x, y, u, v] = CENTRE;
-        if k % 2 == 0 { [x + radius * cos, u + speed * sin] } else { [y + radius * sin, v - speed * cos] }
+        if k.is_multiple_of(2) {
+            [x + radius * cos, u + speed * sin]
+        } else {
+            [y + radius * sin, v - speed * cos]
+        }
     }
 }
 
