@@ -44,6 +44,23 @@ test("a picture is whole after the first tiles, and right after the last", () =>
   expect(raster.range()).toEqual([16, told(23, 39)]);
 });
 
+test("a draft is seen until the values come, and is not known", () => {
+  const raster = new Raster(8);
+  const [coarse, ...others] = tiles(axes(8), 4, 8);
+  if (!coarse) throw new Error("no tile");
+  const dye = { kinds: [[1, 1, 1] as const, [2, 2, 2] as const] };
+  const seen = () => new Set(raster.pixels(dye, 1).filter((_, k) => k % 4 === 0));
+  raster.take(coarse, new Float64Array(4).fill(1), true);
+  expect([raster.known, raster.taken, raster.own().length]).toEqual([0, 4, 0]);
+  expect(seen()).toEqual(new Set([2]));
+  for (const tile of [coarse, ...others]) {
+    const points = tile.reduce((all, { part }) => all * (part?.points ?? NaN), 1);
+    raster.take(tile, new Float64Array(points).fill(0));
+  }
+  expect([raster.known, raster.own().length]).toEqual([64, 64]);
+  expect(seen()).toEqual(new Set([1]));
+});
+
 test("patterns tell kinds apart without their colours, and a range by how dense they are", () => {
   const ink = (dye: Parameters<typeof patternOf>[0], value: number) => {
     const pattern = patternOf(dye, value);

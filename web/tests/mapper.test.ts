@@ -22,11 +22,12 @@ function answer(): Axis[] {
   const [first, ...rest] = asks;
   if (!first) throw new Error("nothing is asked for");
   asks = rest;
-  const { round, tile } = first.ask;
+  const { round, tile, draft } = first.ask;
   first.worker.onmessage?.({
     data: {
       round,
       tile,
+      draft,
       values: [new Float64Array(pointsOf(tile))],
       attractors: { names: [], states: [] },
       refusal: "",
@@ -107,4 +108,19 @@ test("a map takes the place of another once that one can be recognized, and the 
     answer();
     expect(another.heard.length).toBe(1);
   }
+});
+
+test("labels are drafted all over the map first, and then told of every point", async () => {
+  const mapper = await open(1);
+  const told: { points: number; draft: boolean }[] = [];
+  mapper.compute({
+    ...wish(96),
+    wanted: "labels",
+    told: ({ tile, draft }) => told.push({ points: pointsOf(tile), draft }),
+  });
+  while (asks.length) answer();
+  const points = (draft: boolean) =>
+    told.filter((tile) => tile.draft === draft).reduce((all, tile) => all + tile.points, 0);
+  expect([points(true), points(false)]).toEqual([144, 96 ** 2]);
+  expect(told.findIndex(({ draft }) => !draft)).toBe(4);
 });
