@@ -8,7 +8,7 @@ CARGO_TARGET_DIR ?= target
 PRECESS = $(CARGO_TARGET_DIR)/release/precess
 WASM = wasm32-unknown-unknown
 
-.PHONY: help run lab bench test lint docs golden wasm wasm-target node test-web test-web-now bench-web test-python
+.PHONY: help run lab bench test lint docs golden soak wasm wasm-target node test-web test-web-now bench-web test-python
 .PHONY: test-python-now wheel bench-python test-arm clean cargo
 
 help:
@@ -18,6 +18,7 @@ help:
 	@echo "make bench-web  the same in WebAssembly beside native code, under Node and in Chromium"
 	@echo "make bench-python  the Python package beside SciPy, heyoka, diffrax and pynamicalsys"
 	@echo "make test   every test, the lints, the documentation"
+	@echo "make soak   ten minutes of anything in the lab, where make test does one"
 	@echo "make wasm   the core for a browser, in web/wasm/"
 	@echo "make golden compute the golden hashes anew (only after a change of numbers that is meant)"
 
@@ -103,7 +104,7 @@ lint: cargo
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps --quiet
 
 golden: cargo
-	PRECESS_BLESS=1 $(CARGO) test -p precess --test golden
+	PRECESS_BLESS=1 $(CARGO) test -p precess --test golden --test basins
 
 # Builds of the same core, with and without lanes of 128 bits, and one that holds the lab's first page alone. Never relaxed SIMD: its results differ between
 # machines. A folder for each, so that neither build makes the other one stale; no path of this machine in the file.
@@ -141,6 +142,11 @@ test-web-now: wasm web/node_modules/.package-lock.json
 	@if test -x "$(CHROMIUM)"; then cd web && CHROMIUM="$(CHROMIUM)" npm run --silent e2e; else \
 	  echo "precess: the tests of the lab in a browser are skipped, since they need Chromium (Debian: chromium)" >&2; \
 	  test "$$PRECESS_REQUIRE_ALL" != 1; fi
+
+# Ten minutes of anything in the lab; `make test` does one.
+soak: wasm web/node_modules/.package-lock.json
+	cd web && npm run --silent build -- --logLevel warn
+	cd web && PRECESS_SOAK=600 CHROMIUM="$(CHROMIUM)" npm run --silent e2e -- e2e/soak.spec.ts
 
 # The browser of the tests.
 CHROMIUM ?= $(or $(shell command -v chromium || command -v chromium-browser || command -v google-chrome),/usr/bin/chromium)

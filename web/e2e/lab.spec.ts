@@ -129,46 +129,6 @@ test("after the first visit the lab needs no network", async ({ page, context })
   await expect(page.locator(".katex").first()).toBeVisible();
 });
 
-test("ten seconds of anything break nothing", async ({ page }) => {
-  test.setTimeout(60_000);
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await open(page);
-  // A small generator of its own, so that a failure can be had again.
-  let seed = 7;
-  const random = (below: number) => (seed = (seed * 48271) % 2147483647) % below;
-  const keys = [
-    "Tab",
-    "Enter",
-    " ",
-    "ArrowRight",
-    "ArrowDown",
-    "f",
-    "r",
-    "d",
-    "9",
-    "-",
-    "Escape",
-    "Backspace",
-  ];
-  const until = Date.now() + 10_000;
-  while (Date.now() < until) {
-    const [x, y] = [random(1280), 70 + random(800)];
-    const kind = random(4);
-    if (kind === 0) await page.mouse.click(x, y);
-    else if (kind === 1) await page.keyboard.press(keys[random(keys.length)] ?? "Tab");
-    else if (kind === 2) await page.mouse.wheel(0, random(600) - 300);
-    else {
-      await page.mouse.move(x, y);
-      await page.mouse.down();
-      await page.mouse.move(x + random(200) - 100, y + random(200) - 100, { steps: 3 });
-      await page.mouse.up();
-    }
-  }
-  await page.goto("about:blank");
-  await page.goto("./");
-  await expect(page.locator("[data-run]")).not.toHaveAttribute("data-run", "");
-});
-
 test("a link made in the page gives the same bits in the core", async ({ page }) => {
   await open(page);
   await choose(page, "double_pendulum");

@@ -13,6 +13,9 @@ test("a map of starts fills itself, coarse first, and a click opens the run from
   const picture = page.locator("[data-map-picture]");
   await expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
   expect(await barriers(page, "main")).toEqual([]);
+  // The map begins with what is proved, and counts what is not.
+  await expect(page.locator("[data-map-choice=shown]")).toHaveValue("*");
+  await expect(page.locator("figure li", { hasText: "not proved" })).toHaveText(/ [01](\.\d+)? %/);
   const colours = await drawing(page, "[data-map-picture]");
   await picture.click({ position: { x: 60, y: 60 } });
   await expect(page.locator("[data-field=x]")).toHaveValue(/^-\d/);
