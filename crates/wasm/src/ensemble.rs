@@ -158,10 +158,11 @@ mod tests {
         let plan = plan(MAGNETS).expect("a scenario");
         let axis = |name: &str, low, high, points| Axis { name: name.into(), low, high, points };
         let starts = grid(&plan, &[axis("x", -1.0, 1.0, 5), axis("y", -2.0, 2.0, 3)]).expect("a grid");
-        assert_eq!(tile(&plan, &["x", "y"], &GRID), Ok(starts.clone()));
+        let names = ["x", "y"];
+        let sides = sides(&names, GRID.numbers).expect("sides");
+        assert_eq!(tile(&plan, &names, &sides, |_| Ok(())), Ok(starts.clone()));
         let values: Vec<f64> = starts.chunks(4).flat_map(|start| [start[0], start[1]]).collect();
-        let listed = Request { numbers: &values, grid: false, ..GRID };
-        assert_eq!(list(&plan, &["x", "y"], &listed), Ok(starts));
+        assert_eq!(list(&plan, &names, &values, |_| Ok(())), Ok(starts));
     }
 
     #[test]
