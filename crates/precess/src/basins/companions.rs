@@ -35,13 +35,12 @@ pub(super) fn companions(pace: &Pace) -> Vec<Pace> {
     }
 }
 
-/// Whether two fates are those of one motion: the same verdict, and who had it first comes to where the other had it. In a
-/// well it still moves, and the place tells; who has come to an attractor's neighbourhood is near it in any case, and the time
-/// tells, too.
+/// Whether two fates are those of one motion: the same verdict, and who had it first comes to where the other had it. Who has
+/// come to where nothing moves is near it in any case: there the time tells, too.
 pub(super) fn agree(judge: &Judge, one: &Fate, other: &Fate) -> bool {
     let (Fate::Judged(a, t, y), Fate::Judged(b, u, z)) = (one, other) else { return false };
     let later = (u - t).abs();
-    let together = a == b && (later <= LATER * t || judge.holds_in_well(a));
+    let together = a == b && (later <= LATER * t || judge.still_moves(a));
     if !together || *a == Verdict::Escaped {
         return together;
     }

@@ -194,9 +194,11 @@ impl Judge {
         self.look(y).or_else(|| meets.next())
     }
 
-    /// Whether a verdict is that of a well.
-    pub fn holds_in_well(&self, verdict: &Verdict) -> bool {
-        matches!(verdict, Verdict::Settled(k, _) if matches!(self.attractors[*k].hold, Hold::Well(_)))
+    /// Whether what a verdict is about still moves: in a well, or around a free cycle.
+    pub fn still_moves(&self, verdict: &Verdict) -> bool {
+        let Verdict::Settled(k, _) = verdict else { return false };
+        let Attractor { kind, hold, .. } = &self.attractors[*k];
+        *kind == Kind::Cycle || matches!(hold, Hold::Well(_))
     }
 
     /// A cycle is only looked at from near by: elsewhere its plane is another place.
