@@ -132,7 +132,7 @@ class Grid(NamedTuple):
     def run(self, first: int, last: int, threads: int | None = None, told: Told | None = None) -> Members:
         """Follow the starts from one number to another."""
         plan = self.scenario._plan  # noqa: SLF001
-        rows = _core.basins_part(plan, self.axes, self.once, first, last, threads, told)
+        rows = _core.basins_part(plan, (self.axes, False, self.once), first, last, threads, told)
         return Members(np.zeros(1), rows, {})
 
 
@@ -191,9 +191,9 @@ def basins(
     grid = Grid(scenario, axes, once)
     with bar(progress, 1.0, "") as told:
         if client is None and store is None:
-            found = _core.basins(scenario._plan, axes, wrap, once, threads, told)  # noqa: SLF001
+            found = _core.basins(scenario._plan, (axes, wrap, once), threads, told)  # noqa: SLF001
         else:
             share = None if told is None else lambda members: told(members / grid.size)
             rows = done(grid, client=client, tile=tile, store=store, threads=threads, told=share).numbers
-            found = _core.basins_whole(scenario._plan, axes, wrap, once, rows, threads)  # noqa: SLF001
+            found = _core.basins_whole(scenario._plan, (axes, wrap, once), rows, threads)  # noqa: SLF001
     return Basins({name: np.linspace(low, high, points) for name, low, high, points in axes}, found)

@@ -74,16 +74,13 @@ def frenet(
 ) -> Answer: ...
 def basins(
     plan: Plan,
-    axes: list[tuple[str, float, float, int]],
-    wrap: bool,
-    once: bool,
+    spec: tuple[list[tuple[str, float, float, int]], bool, bool],
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,
 ) -> Basins: ...
 def basins_part(
     plan: Plan,
-    axes: list[tuple[str, float, float, int]],
-    once: bool,
+    spec: tuple[list[tuple[str, float, float, int]], bool, bool],
     first: int,
     last: int,
     threads: int | None = None,
@@ -91,9 +88,7 @@ def basins_part(
 ) -> Floats: ...
 def basins_whole(
     plan: Plan,
-    axes: list[tuple[str, float, float, int]],
-    wrap: bool,
-    once: bool,
+    spec: tuple[list[tuple[str, float, float, int]], bool, bool],
     rows: Floats,
     threads: int | None = None,
     progress: Callable[[float], object] | None = None,

@@ -30,13 +30,11 @@ pub struct Basins {
 /// Name, first value, last value and number of points of an axis.
 type Given = (String, f64, f64, usize);
 
+/// Axes, whether attractors that differ by whole turns are one, whether each start is followed once.
+type Asked = (Vec<Given>, bool, bool);
+
 /// What is asked, and by how many threads.
-fn asked(
-    axes: Vec<Given>,
-    wrap: bool,
-    once: bool,
-    threads: Option<usize>,
-) -> PyResult<(BasinsSpec, Workers)> {
+fn asked((axes, wrap, once): Asked, threads: Option<usize>) -> PyResult<(BasinsSpec, Workers)> {
     let mut workers = Workers::chosen().map_err(exception)?;
     match threads {
         Some(0) => return Err(InputError::new_err("threads: at least one is needed")),
@@ -49,17 +47,15 @@ fn asked(
 
 /// The basins of a plan on a grid.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, wrap, once, threads=None, progress=None))]
+#[pyo3(signature = (plan, spec, threads=None, progress=None))]
 pub fn basins(
     py: Python,
     plan: &Plan,
-    axes: Vec<Given>,
-    wrap: bool,
-    once: bool,
+    spec: Asked,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Basins> {
-    let (spec, workers) = asked(axes, wrap, once, threads)?;
+    let (spec, workers) = asked(spec, threads)?;
     let mut watch = Watch::new(progress);
     let found =
         py.detach(|| precess::basins::basins(&plan.scenario, &spec, workers, &mut |share| watch.at(share)));
@@ -69,18 +65,17 @@ pub fn basins(
 
 /// What became of the starts from one number to another: a row of numbers each, for `basins_whole`.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, once, first, last, threads=None, progress=None))]
+#[pyo3(signature = (plan, spec, first, last, threads=None, progress=None))]
 pub fn basins_part(
     py: Python,
     plan: &Plan,
-    axes: Vec<Given>,
-    once: bool,
+    spec: Asked,
     first: usize,
     last: usize,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyArray2<f64>>> {
-    let (spec, workers) = asked(axes, false, once, threads)?;
+    let (spec, workers) = asked(spec, threads)?;
     let mut watch = Watch::new(progress);
     let found = py.detach(|| {
         precess::basins::part(&plan.scenario, &spec, first..last, workers, &mut |share| watch.at(share))
@@ -93,18 +88,16 @@ pub fn basins_part(
 
 /// The basins from the rows of all starts.
 #[pyfunction]
-#[pyo3(signature = (plan, axes, wrap, once, rows, threads=None, progress=None))]
+#[pyo3(signature = (plan, spec, rows, threads=None, progress=None))]
 pub fn basins_whole(
     py: Python,
     plan: &Plan,
-    axes: Vec<Given>,
-    wrap: bool,
-    once: bool,
+    spec: Asked,
     rows: PyReadonlyArray2<f64>,
     threads: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<Basins> {
-    let (spec, workers) = asked(axes, wrap, once, threads)?;
+    let (spec, workers) = asked(spec, threads)?;
     let rows: Vec<f64> = rows.as_array().iter().copied().collect();
     let mut watch = Watch::new(progress);
     let found = py.detach(|| {
