@@ -3,7 +3,7 @@
 use crate::ensemble::{Side, sides, tile};
 use crate::kept::Kept;
 use crate::{memory, report, run};
-use precess::basins::{BasinsSpec, Court};
+use precess::basins::{BasinsSpec, Care, Court};
 use precess::scalar::Isa;
 use precess::system::Trajectory;
 use precess::{Axis, Scenario, Workers};
@@ -18,8 +18,8 @@ pub struct Request<'a> {
     pub names: &'a str,
     /// Six numbers for each name, as of an ensemble's tile.
     pub numbers: &'a [f64],
-    /// Whether each start is followed once, without companions.
-    pub once: bool,
+    /// Whether a draft will do: each start followed once, within a loose tolerance.
+    pub draft: bool,
     /// Whether one number is computed at a time, not a register of them.
     pub plain: bool,
 }
@@ -59,9 +59,10 @@ pub fn basins(request: &Request, watch: &mut dyn FnMut(f64) -> bool) -> Result<(
             .and_then(|scenario| Court::new(&scenario, &case.spec, workers, &mut |_| going(0.0)))
             .map_err(|e| e.to_string())?,
     };
+    let care = if request.draft { Care::Draft } else { Care::Confirmed };
     let starts = tile(court.plan(), &names, &sides, |_| Ok(()))?;
     let members = (starts.len() / court.plan().start.len()) as f64;
-    let labels = court.labels(&starts, request.once, workers, &mut |share| going(share * members));
+    let labels = court.labels(&starts, care, workers, &mut |share| going(share * members));
     let report = report::basins(court.plan(), &court.attractors(), labels.len()).to_string();
     let numbers = labels.into_iter().map(f64::from).collect();
     if !court.interrupted() {
@@ -80,7 +81,7 @@ mod tests {
     const MAGNETS: &str = "precess = 1\n[system]\nid = \"magnetic_pendulum\"\n[start]\ny_dot = 0\n";
 
     fn labels(numbers: &[f64], watch: &mut dyn FnMut(f64) -> bool) -> (Vec<f64>, Value) {
-        let request = Request { scenario: MAGNETS, names: "x\ny", numbers, once: false, plain: false };
+        let request = Request { scenario: MAGNETS, names: "x\ny", numbers, draft: false, plain: false };
         let (kept, report) = basins(&request, watch).expect("labels");
         (kept.table(Table::Numbers).to_vec(), serde_json::from_str(&report).expect("a report is JSON"))
     }
@@ -113,7 +114,7 @@ mod tests {
         let (labels, _) = labels(&[side, side].concat(), &mut |_| false);
         assert!(labels.contains(&f64::from(UNDECIDED)));
         let asked = |scenario: &str, names: &str, numbers: &[f64]| {
-            let request = Request { scenario, names, numbers, once: true, plain: true };
+            let request = Request { scenario, names, numbers, draft: true, plain: true };
             basins(&request, &mut |_| true).err().expect("a refusal")
         };
         assert!(asked(MAGNETS, "x", &[0.0; 7]).contains("7 numbers are no axes of x"));

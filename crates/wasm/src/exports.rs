@@ -73,10 +73,10 @@ pub extern "C" fn precess_ensemble(grid: u32, samples: u32, plain: u32) -> u32 {
 }
 
 /// Where the starts of a tile end, only what is proved: a handle to their labels (the number of an attractor in the answer;
-/// -1 undecided, -2 escaped, -3 diverged). The inputs are those of an ensemble's grid. `once` not zero follows each start
-/// once, and does not ask whether another tolerance agrees; `plain` as above.
+/// -1 undecided, -2 escaped, -3 diverged). The inputs are those of an ensemble's grid. `draft` not zero follows each start
+/// once, within a loose tolerance; `plain` as above.
 #[unsafe(no_mangle)]
-pub extern "C" fn precess_basins(once: u32, plain: u32) -> u32 {
+pub extern "C" fn precess_basins(draft: u32, plain: u32) -> u32 {
     let done = || {
         if FIRST {
             return Err("this core has no basins".into());
@@ -86,7 +86,7 @@ pub extern "C" fn precess_basins(once: u32, plain: u32) -> u32 {
             scenario: &desk::text(scenario)?,
             names: &desk::text(names)?,
             numbers: &desk::numbers(&numbers)?,
-            once: once != 0,
+            draft: draft != 0,
             plain: plain != 0,
         };
         basins::basins(&request, &mut host::progress)

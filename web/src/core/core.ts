@@ -30,7 +30,7 @@ export interface EnsembleOptions {
 }
 
 export interface BasinsOptions extends Pick<EnsembleOptions, "lanes" | "progress"> {
-  once?: boolean;
+  draft?: boolean;
 }
 
 /** The core of Precess in this thread. A call blocks until it is done: a page keeps it in a worker. */
@@ -94,13 +94,13 @@ export class Core {
 
   /**
    * Where the starts of a grid end, only what is proved: better asked for in `tiles`, each of which has the labels of the
-   * whole grid. `once` follows each start once, and does not ask whether another tolerance agrees. A start that work was
+   * whole grid. A `draft` follows each start once, within a loose tolerance: many labels are right. A start that work was
    * ended before is undecided.
    */
   basins(
     scenario: string,
     axes: readonly Axis[],
-    { once = false, lanes = true, progress }: BasinsOptions = {},
+    { draft = false, lanes = true, progress }: BasinsOptions = {},
   ): Basins {
     this.#instance.write(
       scenario,
@@ -109,7 +109,7 @@ export class Core {
     );
     return this.#watch.during(progress, () => {
       const { value, answer } = this.#instance.ask((exports) =>
-        exports.precess_basins(Number(once), Number(!lanes)),
+        exports.precess_basins(Number(draft), Number(!lanes)),
       );
       return new Basins(this.#instance, value, JSON.parse(answer) as BasinsReport);
     });

@@ -14,7 +14,7 @@ export interface CoreExports {
   readonly precess_catalogue: () => void;
   readonly precess_run: () => number;
   readonly precess_ensemble: (grid: number, samples: number, plain: number) => number;
-  readonly precess_basins: (once: number, plain: number) => number;
+  readonly precess_basins: (draft: number, plain: number) => number;
   readonly precess_trust: (within: number) => number;
   readonly precess_table: (handle: number, table: number) => number;
   readonly precess_table_length: (handle: number, table: number) => number;

@@ -44,7 +44,7 @@ function compute(core: Core, { round, text, tile, wanted, draft }: TileAsk): Til
   const answer = { round, tile, draft, attractors: { names: [], states: [] }, refusal: "" };
   try {
     if (wanted === "labels") {
-      const part = core.basins(text, tile, { once: draft });
+      const part = core.basins(text, tile, { draft });
       const { columns, attractors } = part.report;
       const names = columns.map(({ name }) => name);
       const states = names.map((_, k) => Float64Array.from(attractors, (state) => state[k] ?? NaN));

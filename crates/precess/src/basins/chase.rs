@@ -1,6 +1,6 @@
 //! All starts followed in lanes until each has a verdict, or its time is over; then those with one again, with companions.
 
-use super::companions::{agree, companions};
+use super::companions::{Care, agree, companions, draft};
 use super::gate::Gate;
 use super::judge::{Judge, Verdict};
 use crate::plan::Plan;
@@ -26,15 +26,15 @@ pub(super) enum Fate {
     Interrupted,
 }
 
-/// Follows all starts, with companions or each `once`.
+/// Follows all starts.
 pub(super) fn chase(
     judge: &Judge,
     starts: &[f64],
-    once: bool,
+    care: Care,
     workers: Workers,
     progress: &mut dyn FnMut(usize) -> ControlFlow<()>,
 ) -> Vec<Fate> {
-    with_lanes!(workers.isa, S => Chase::<S>::new(judge, starts, once).all(workers.threads, progress))
+    with_lanes!(workers.isa, S => Chase::<S>::new(judge, starts, care).all(workers.threads, progress))
 }
 
 struct Chase<'a, S> {
@@ -53,15 +53,15 @@ where
     dyn AnySystem: Bind<S>,
     dyn AnyMethod: Steps<S>,
 {
-    fn new(judge: &'a Judge, starts: &'a [f64], once: bool) -> Self {
+    fn new(judge: &'a Judge, starts: &'a [f64], care: Care) -> Self {
         let plan = &judge.ground.plan;
-        let pace = pace(plan);
+        let pace = if care == Care::Draft { draft(&pace(plan)) } else { pace(plan) };
         Self {
             judge,
             plan,
             starts,
             samples: Samples::new(plan.until, plan.every),
-            companions: if once { vec![] } else { companions(&pace) },
+            companions: if care == Care::Confirmed { companions(&pace) } else { vec![] },
             pace,
             field: Bind::<S>::bind(plan.system, plan.values.map(|x| S::from(*x)), &plan.layout),
             runner: Runner::new(plan),

@@ -19,6 +19,35 @@ const NEAR: f64 = 0.03;
 /// The share of the time within which two motions have come to rest alike.
 const LATER: f64 = 0.05;
 
+/// How closely starts are followed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Care {
+    /// Once, within a million times the tolerance: for a first look.
+    Draft,
+    /// Once.
+    Once,
+    /// With companions: a label that none confirms is undecided.
+    Confirmed,
+}
+
+/// A draft's tolerance, to that of the plan.
+const DRAFT: f64 = 1e6;
+
+/// The pace of a draft.
+pub(super) fn draft(pace: &Pace) -> Pace {
+    let mut pace = pace.clone();
+    if let Pace::Adaptive(Tolerance { rtol, atol, .. }) = &mut pace {
+        for tolerance in [rtol, atol] {
+            let coarse = DRAFT * *tolerance;
+            // Who asks for less than that gets it.
+            if coarse < COARSEST {
+                *tolerance = coarse;
+            }
+        }
+    }
+    pace
+}
+
 /// The paces of the companions, the cheapest first.
 pub(super) fn companions(pace: &Pace) -> Vec<Pace> {
     match pace {

@@ -1,6 +1,7 @@
 //! What basins, and each part of them, begin with: a judge, who depends on scenario and grid alone, and the starts.
 
 use super::chase::{Fate, chase};
+use super::companions::Care;
 use super::ground::Ground;
 use super::judge::Judge;
 use super::{Attractor, BasinsSpec, Listed, settle, tell};
@@ -60,7 +61,7 @@ impl Court {
         let mut court = Self { judge: Judge::new(ground)?, starts, interrupted: false };
         if court.judge.wells.is_empty() {
             let scouts = scouts(&court.starts, court.judge.ground.plan.start.len());
-            let ends = chase(&court.judge, &scouts, true, workers, &mut |_| progress(0.0));
+            let ends = chase(&court.judge, &scouts, Care::Once, workers, &mut |_| progress(0.0));
             court.interrupted = ends.contains(&Fate::Interrupted);
             settle(&mut court.judge, ends);
         }
@@ -83,22 +84,21 @@ impl Court {
     }
 
     /// The labels of some starts, given by their full states: the number of an attractor that is known, or a negative one.
-    /// `once` as in [`BasinsSpec`].
     pub fn labels(
         &self,
         starts: &[f64],
-        once: bool,
+        care: Care,
         workers: Workers,
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Vec<i32> {
-        tell(&self.judge, &self.fates(starts, once, workers, progress), Listed::Known).labels
+        tell(&self.judge, &self.fates(starts, care, workers, progress), Listed::Known).labels
     }
 
     /// The fates of some starts: nobody follows them where the work has been interrupted before.
     pub(super) fn fates(
         &self,
         starts: &[f64],
-        once: bool,
+        care: Care,
         workers: Workers,
         progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Vec<Fate> {
@@ -106,7 +106,7 @@ impl Court {
         if self.interrupted || members == 0 {
             return vec![Fate::Interrupted; members];
         }
-        chase(&self.judge, starts, once, workers, &mut |done| progress(done as f64 / members as f64))
+        chase(&self.judge, starts, care, workers, &mut |done| progress(done as f64 / members as f64))
     }
 }
 

@@ -30,6 +30,7 @@ use judge::{Hold, Judge, Verdict};
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 
+pub use companions::Care;
 pub use court::Court;
 pub use judge::Kind;
 pub use parts::{part, whole};
@@ -51,6 +52,12 @@ pub struct BasinsSpec {
     pub wrap: bool,
     /// Each start is followed once: faster, but nobody tells the labels that the tolerance cannot tell.
     pub once: bool,
+}
+
+impl BasinsSpec {
+    fn care(&self) -> Care {
+        if self.once { Care::Once } else { Care::Confirmed }
+    }
 }
 
 /// An attractor.
@@ -102,7 +109,7 @@ pub fn basins(
     progress: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Basins, Error> {
     let court = Court::new(scenario, spec, workers, progress)?;
-    let fates = court.fates(&court.starts, spec.once, workers, progress);
+    let fates = court.fates(&court.starts, spec.care(), workers, progress);
     Ok(concluded(court, fates, spec, workers, progress))
 }
 
@@ -121,7 +128,7 @@ fn concluded(
     late.retain(|&k| matches!(fates[k], Fate::Judged(..)));
     let full = court.judge.ground.plan.start.len();
     let starts: Vec<f64> = late.iter().flat_map(|&k| &court.starts[k * full..][..full]).copied().collect();
-    let again = court.fates(&starts, spec.once, workers, progress);
+    let again = court.fates(&starts, spec.care(), workers, progress);
     let interrupted = court.interrupted || again.contains(&Fate::Interrupted);
     for (k, fate) in late.into_iter().zip(again) {
         if !matches!(fate, Fate::Open(_)) {

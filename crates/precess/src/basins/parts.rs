@@ -32,7 +32,7 @@ pub fn part(
     let Some(mine) = court.starts.get(members.start * full..members.end * full) else {
         return input(format!("there are {} starts, not {}", court.starts.len() / full, members.end));
     };
-    let fates = court.fates(mine, spec.once, workers, progress);
+    let fates = court.fates(mine, spec.care(), workers, progress);
     Ok((fates.iter().flat_map(|fate| row(fate, &court.judge)).collect(), width(&court.judge)))
 }
 
