@@ -13,6 +13,8 @@ const SIMD = new Uint8Array([
 ]);
 /** Points along the edge of a tile: small enough for a tile that nobody wants any more to end soon. */
 const EDGE = 8;
+/** The same where labels are wanted: those take longer. */
+const EDGE_OF_LABELS = 4;
 /** Along an edge of the first picture, which is there at once, there are so many points at the least; */
 const FIRST = 6;
 /** in all there are so many in one that can be recognized. */
@@ -33,14 +35,14 @@ export interface MapAsk {
 /** All tiles, coarse first; where labels are wanted, a draft of the coarse ones before. */
 function* order({ axes, wanted }: MapAsk): Generator<Pick<TileAsk, "tile" | "draft">, void> {
   const points = Math.min(...axes.map((axis) => axis.points));
-  const all = () => tiles(axes, 2 ** Math.floor(Math.log2(points / FIRST)), EDGE);
+  const all = (edge: number) => tiles(axes, 2 ** Math.floor(Math.log2(points / FIRST)), edge);
   let drafted = wanted === "labels" ? 0 : COARSE;
-  for (const tile of all()) {
+  for (const tile of all(EDGE)) {
     if (drafted >= COARSE) break;
     drafted += pointsOf(tile);
     yield { tile, draft: true };
   }
-  for (const tile of all()) yield { tile, draft: false };
+  for (const tile of all(wanted === "labels" ? EDGE_OF_LABELS : EDGE)) yield { tile, draft: false };
 }
 
 export class Mapper {
