@@ -1,7 +1,21 @@
 // The map of starts.
 
-import { expect, test } from "@playwright/test";
+import { expect, test, type Page } from "@playwright/test";
 import { barriers, choose, drawing, fill, hashOf, open } from "./page";
+
+/** A map of the nearest magnet after short runs, which is done sooner. */
+async function quickMap(page: Page) {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await open(page);
+  await choose(page, "magnetic_pendulum");
+  await fill(page, "until", "1.5");
+  await page.locator("[data-map]").click();
+  await page.locator("[data-map-choice=shown]").selectOption("magnets");
+  const picture = page.locator("[data-map-picture]");
+  const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
+  await done();
+  return { picture, done };
+}
 
 test("a map of starts fills itself, coarse first, and a click opens the run from there", async ({ page }) => {
   // A scene that moves takes the time of the map.
@@ -57,15 +71,7 @@ test("a magnet is moved on the map, by hand and by key, and the map is drawn ane
 test("after a move a coarse picture of the new map comes first, and gives way to the fine one", async ({
   page,
 }) => {
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await open(page);
-  await choose(page, "magnetic_pendulum");
-  await fill(page, "until", "1.5");
-  await page.locator("[data-map]").click();
-  await page.locator("[data-map-choice=shown]").selectOption("magnets");
-  const picture = page.locator("[data-map-picture]");
-  const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
-  await done();
+  const { picture, done } = await quickMap(page);
   // What is known, and what is seen, each time that there is more of it.
   await picture.evaluate((canvas: HTMLCanvasElement) => {
     const seen: [number, string][] = [];
@@ -90,17 +96,8 @@ test("after a move a coarse picture of the new map comes first, and gives way to
 });
 
 test("a map is looked at closer, by a rectangle, wheel, keys and buttons, and back", async ({ page }) => {
-  await page.emulateMedia({ reducedMotion: "reduce" });
-  await open(page);
-  await choose(page, "magnetic_pendulum");
-  // Short runs: the map is done sooner.
-  await fill(page, "until", "1.5");
-  await page.locator("[data-map]").click();
-  await page.locator("[data-map-choice=shown]").selectOption("magnets");
-  const picture = page.locator("[data-map-picture]");
+  const { picture, done } = await quickMap(page);
   const extent = () => picture.getAttribute("aria-label");
-  const done = () => expect(picture).toHaveAttribute("data-done", String(96 ** 2), { timeout: 25_000 });
-  await done();
   const [whole, colours] = [await extent(), await drawing(page, "[data-map-picture]")];
   const before = await hashOf(page);
   await picture.scrollIntoViewIfNeeded();

@@ -40,12 +40,16 @@ fn told(name: &str, known: &[Event]) -> Value {
     event.map_or(Value::Null, |Event { text, .. }| json!({ "en": text.en, "fr": text.fr }))
 }
 
+/// The numbers of a state.
+fn state(plan: &Plan) -> Vec<Value> {
+    plan.layout.quantities().map(|q| json!({ "name": q.name, "unit": q.unit })).collect()
+}
+
 /// The report of an ensemble; the scenario is the one that its members have in common.
 pub fn ensemble(plan: &Plan, members: &Members) -> Value {
-    let state = plan.layout.state();
     json!({
         "members": members.numbers.len() / (members.state * members.times.len()),
-        "columns": state.iter().map(|q| json!({ "name": q.name, "unit": q.unit })).collect::<Vec<_>>(),
+        "columns": state(plan),
         "failed": members.failures.len(),
         "version": env!("CARGO_PKG_VERSION"),
         "scenario": scenario_toml(plan),
@@ -54,10 +58,9 @@ pub fn ensemble(plan: &Plan, members: &Members) -> Value {
 
 /// The report of labels: the attractors that they number, by their states.
 pub fn basins(plan: &Plan, attractors: &[Attractor], rows: usize) -> Value {
-    let state = plan.layout.state();
     json!({
         "rows": rows,
-        "columns": state.iter().map(|q| json!({ "name": q.name, "unit": q.unit })).collect::<Vec<_>>(),
+        "columns": state(plan),
         "attractors": attractors.iter().map(|a| &a.state).collect::<Vec<_>>(),
     })
 }
